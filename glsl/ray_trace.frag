@@ -1,0 +1,34 @@
+// dioptre's ray tracer, in the order that light travels back: from the eye through a pixel, to the nearest object, to what
+// its surface is and how it is lit, and on along mirrored and refracted rays until they no longer matter.
+
+#include "shared/constants.glsl"
+#include "shared/structs.glsl"
+#include "kernel/ray.glsl"
+#include "kernel/sphere.glsl"
+#include "kernel/cylinder.glsl"
+#include "kernel/flat.glsl"
+#include "kernel/dielectric.glsl"
+#include "kernel/lobe.glsl"
+#include "kernel/lat_long.glsl"
+#include "kernel/footprint.glsl"
+#include "trace/uniforms.glsl"
+#include "trace/path.glsl"
+#include "trace/camera.glsl"
+#include "trace/nearest.glsl"
+#include "generated/scene.glsl"
+#include "trace/surface.glsl"
+#include "trace/light.glsl"
+#include "trace/sky.glsl"
+#include "trace/scatter.glsl"
+#include "generated/tree.glsl"
+
+out vec4 o_sum; // rgb: radiance, a: rays traced; both summed over this draw's samples
+
+void main()
+{
+    vec2 centre_px = gl_FragCoord.xy + u_tile_origin_px;
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < u_sample_count; ++i)
+        sum += traceTree(eyePath(centre_px + sampleOffset(u_sample_first + i)));
+    o_sum = sum;
+}

@@ -1,0 +1,34 @@
+// Numbers that the shaders, the host and the double-precision reference must agree on.
+
+const float PI = 3.14159265358979323846;
+
+// Stands for "no hit within reach" and for the ends of a span that never ends; metres.
+const float FAR_AWAY = 1.0e30;
+
+// Nearer than this a point light grows no brighter; metres. A glowing sphere uses its radius.
+const float NEAREST_LIGHT = 1.0e-3;
+
+// Shape kinds.
+const int KIND_SPHERE = 0;
+const int KIND_OPEN_CYLINDER = 1;
+const int KIND_CAPPED_CYLINDER = 2;
+const int KIND_PLANE = 3;
+const int KIND_DISK = 4;
+const int KIND_RECTANGLE = 5;
+const int KIND_TRIANGLE = 6;
+const int KIND_COUNT = 7;
+
+// Reflectance models.
+const int MODEL_LAMBERT = 0;
+const int MODEL_PHONG = 1;
+const int MODEL_BLINN = 2;
+
+// What a material does to light on its way to a surface behind it.
+const int SHADOW_OPAQUE = 0;
+const int SHADOW_TINTED = 1;
+const int SHADOW_NONE = 2;
+
+// Light kinds; ambient and directional ambient light is summed by the host into u_ambient.
+const int LIGHT_DIRECTIONAL = 0;
+const int LIGHT_POINT = 1;
+const int LIGHT_SPOT = 2;

@@ -1,0 +1,16 @@
+// Every surface sends on one ray at most: the tree is a chain, and needs no pool.
+
+// Radiance (rgb) and the number of rays traced (a).
+vec4 traceChain(Path eye)
+{
+    vec4 sum = vec4(0.0);
+    Path current = eye;
+    for (int traced = 0; traced < u_budget; ++traced) {
+        Scatter found = scatter(current);
+        sum += vec4(found.radiance, 1.0);
+        current = found.reflected;
+        if (!worthTracing(current))
+            break;
+    }
+    return sum;
+}

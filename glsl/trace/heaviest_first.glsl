@@ -1,0 +1,58 @@
+// The ray tree, heaviest first: of all rays that wait the one that matters most is traced next. A small sorted pool is
+// enough, for what falls out of it weighs least.
+
+// Ties go to the older ray.
+bool heavier(Path newer, Path older)
+{
+    return priority(newer) > priority(older);
+}
+
+// Radiance (rgb) and the number of rays traced (a).
+vec4 traceHeaviestFirst(Path eye)
+{
+    // Waiting rays, the heaviest first; weight 0 marks an empty place.
+    Path pool[POOL_SLOTS];
+    for (int i = 0; i < POOL_SLOTS; ++i) {
+        pool[i] = eye;
+        pool[i].weight = vec3(0.0);
+    }
+    vec4 sum = vec4(0.0);
+    Path current = eye;
+    for (int traced = 0; traced < u_budget; ++traced) {
+        Scatter found = scatter(current);
+        sum += vec4(found.radiance, 1.0);
+        bool through = heavier(found.refracted, found.reflected);
+        current = found.reflected;
+        Path waiting = found.refracted;
+        if (through) {
+            current = found.refracted;
+            waiting = found.reflected;
+        }
+        // The pool's first and the heavier of the new rays: one is traced next, the other waits.
+        if (!heavier(current, pool[0])) {
+            Path first = pool[0];
+            pool[0] = current;
+            current = first;
+            for (int i = 1; i < POOL_SLOTS; ++i) {
+                if (!heavier(pool[i - 1], pool[i])) {
+                    Path newer = pool[i - 1];
+                    pool[i - 1] = pool[i];
+                    pool[i] = newer;
+                }
+            }
+        }
+        if (!worthTracing(current))
+            break;
+        // The lighter new ray sinks to its place; what sinks out of the pool is lost.
+        if (worthTracing(waiting)) {
+            for (int i = 0; i < POOL_SLOTS; ++i) {
+                if (heavier(waiting, pool[i])) {
+                    Path lighter = pool[i];
+                    pool[i] = waiting;
+                    waiting = lighter;
+                }
+            }
+        }
+    }
+    return sum;
+}

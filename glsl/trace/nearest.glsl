@@ -1,0 +1,77 @@
+// The nearest of several crossings, and what crossings do to light.
+
+struct Nearest {
+    float t;     // metres along the ray; FAR_AWAY where nothing is met
+    int object;  // -1 where nothing is met
+    bool inside; // as Crossing.inside
+};
+
+Nearest nothingYet()
+{
+    Nearest nearest;
+    nearest.t = FAR_AWAY;
+    nearest.object = -1;
+    nearest.inside = false;
+    return nearest;
+}
+
+// The nearer of both; at equal distance the one that was there first, so objects are asked in order of their ids.
+Nearest nearer(Nearest nearest, Crossing crossing, int object)
+{
+    bool better = crossing.found && crossing.t < nearest.t;
+    Nearest result;
+    result.t = better ? crossing.t : nearest.t;
+    result.object = better ? object : nearest.object;
+    result.inside = better ? crossing.inside : nearest.inside;
+    return result;
+}
+
+// 0 where the crossing stands between a surface and a light at that distance, else 1.
+float unblocked(Crossing crossing, float distance)
+{
+    return crossing.found && crossing.t < distance ? 0.0 : 1.0;
+}
+
+// What a transparent wall without thickness lets through.
+vec3 wallTint(Crossing crossing, float distance, Material material)
+{
+    return crossing.found && crossing.t < distance ? material.shadow_tint.xyz : vec3(1.0);
+}
+
+#ifdef HAS_ABSORPTION
+// Beer-Lambert over a chord, relative to the medium around, whose own chord holds this one: above 1 for a clear bubble in
+// dark glass. The exponent is held where its exponential is finite.
+vec3 chordTransmittance(Material material, float chord)
+{
+    return exp(min(-material.shadow_absorption.xyz * chord, vec3(80.0)));
+}
+#endif
+
+// What a transparent solid lets through: its tint, and Beer-Lambert over the chord, clipped to the light. Absorption is
+// taken relative to the medium outside, so that nested media add up right.
+vec3 solidTint(Span span, Ray ray, int object, float distance, Material material)
+{
+    bool startsWithin = ray.from == 2 * object + 1;
+    float enter = startsWithin ? 0.0 : max(span.near, 0.0);
+    float leave = min(span.far, distance);
+    bool passes = (startsWithin || span.found) && leave > enter && ray.from != 2 * object;
+    vec3 tint = material.shadow_tint.xyz;
+#ifdef HAS_ABSORPTION
+    tint *= chordTransmittance(material, max(leave - enter, 0.0));
+#endif
+    return passes ? tint : vec3(1.0);
+}
+
+// What an endless plane lets through: the medium behind it fills a half-space.
+vec3 planeTint(Crossing crossing, Ray ray, float distance, vec3 point, vec3 normal, Material material)
+{
+    bool crosses = crossing.found && crossing.t < distance;
+    vec3 tint = crosses ? material.shadow_tint.xyz : vec3(1.0);
+#ifdef HAS_ABSORPTION
+    float middle_t = 0.5 * (crosses ? crossing.t : distance);
+    bool startsBehind = dot(ray.origin + middle_t * ray.direction - point, normal) < 0.0;
+    float behind = startsBehind ? 2.0 * middle_t : (crosses ? distance - crossing.t : 0.0);
+    tint *= chordTransmittance(material, behind);
+#endif
+    return tint;
+}

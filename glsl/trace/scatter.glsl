@@ -1,0 +1,99 @@
+// One ray: what it meets, what comes from there at once, and the rays that it splits into.
+//   out = emission + (1 - mirror)(1 - transmit) local + mirror colour reflected
+//       + (1 - mirror) transmit (R reflected + T refracted)
+
+struct Scatter {
+    vec3 radiance; // weighted: adds straight to the pixel
+#ifdef HAS_MIRROR_RAY
+    Path reflected; // of weight 0 where there is none
+#endif
+#ifdef HAS_REFRACTION
+    Path refracted;
+#endif
+};
+
+#ifdef HAS_MIRROR_RAY
+// The path that goes on from a surface, on its inner or outer side.
+Path continued(Path path, Nearest hit, vec3 position, vec3 direction, vec3 weight, bool within)
+{
+    Path next = path;
+    next.ray.origin = position;
+    next.ray.direction = direction;
+    next.ray.from = 2 * hit.object + (within ? 1 : 0);
+    next.weight = weight;
+#ifdef HAS_PICTURES
+    next.travelled = path.travelled + hit.t;
+#endif
+#ifdef HAS_DEPTH_LIMIT
+    // A path beyond the depth weighs nothing, so that it never takes the place of one within.
+    next.bounces = path.bounces + 1;
+    next.weight = next.bounces > u_depth ? vec3(0.0) : weight;
+#endif
+    return next;
+}
+#endif
+
+// The share of light that goes through a surface instead of coming back from within it.
+float transmitOf(Material material)
+{
+    return material.shadow_absorption.w;
+}
+
+Scatter scatter(Path path)
+{
+    Scatter result;
+    Nearest hit = nearestHit(path.ray);
+    vec3 weight = path.weight;
+#ifdef HAS_ABSORPTION
+    // Beer-Lambert over the stretch that the ray has run through its medium.
+    if (path.medium >= 0)
+        weight *= exp(-u_materials[path.medium].absorption.xyz * hit.t);
+#endif
+    if (hit.object < 0) {
+        result.radiance = weight * skyRadiance(path.ray.direction);
+#ifdef HAS_MIRROR_RAY
+        result.reflected = path;
+        result.reflected.weight = vec3(0.0);
+#endif
+#ifdef HAS_REFRACTION
+        result.refracted = path;
+        result.refracted.weight = vec3(0.0);
+#endif
+        return result;
+    }
+#ifdef HAS_OBJECTS
+    Material material = u_materials[materialOf(hit.object)];
+    Surface surface = surfaceAt(path, hit, material);
+    vec3 local = vec3(0.0);
+#ifdef HAS_LOCAL
+    local = localRadiance(surface, material, path.ray, hit.object, hit.inside);
+#endif
+#ifdef HAS_MIRROR_RAY
+    local *= (1.0 - material.mirror.w) * (1.0 - transmitOf(material));
+#endif
+#ifdef HAS_EMISSION
+    local = local + material.emission.xyz;
+#endif
+    result.radiance = weight * local;
+#ifdef HAS_MIRROR_RAY
+    float c = clamp(-dot(path.ray.direction, surface.normal), 0.0, 1.0);
+    vec3 reflection = material.mirror.xyz;
+#ifdef HAS_REFRACTION
+    float eta = hit.inside ? material.bending.y : material.bending.x;
+    float m = hit.inside ? material.bending.w : material.bending.z;
+    float reflectance = fresnelReflectance(c, m);
+    float passing = (1.0 - material.mirror.w) * transmitOf(material);
+    reflection += passing * reflectance;
+    vec3 through = refractedDirection(path.ray.direction, surface.normal, c, eta, m);
+    result.refracted =
+        continued(path, hit, surface.position, through, weight * (passing * (1.0 - reflectance)), !hit.inside);
+#ifdef HAS_ABSORPTION
+    result.refracted.medium = hit.inside ? int(material.absorption.w) : materialOf(hit.object);
+#endif
+#endif
+    vec3 mirrored = normalize(path.ray.direction + 2.0 * c * surface.normal);
+    result.reflected = continued(path, hit, surface.position, mirrored, weight * reflection, hit.inside);
+#endif
+#endif
+    return result;
+}

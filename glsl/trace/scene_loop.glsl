@@ -1,0 +1,133 @@
+// The scene as a loop per kind of shape over a table: the form for `trace.form = loop` and for the double-precision
+// reference. Shapes stand sorted by kind: u_kind_first[k].x up to u_kind_first[k + 1].x are those of kind k, in the order of
+// the file. u_index[i]: x: the slot of object i in u_shapes; y: its kind; z: its material; w: the object in slot i.
+
+Shape shapeOf(int object)
+{
+    return u_shapes[int(u_index[object].x)];
+}
+
+int kindOf(int object)
+{
+    return int(u_index[object].y);
+}
+
+int materialOf(int object)
+{
+    return int(u_index[object].z);
+}
+
+int firstOfKind(int kind)
+{
+    return int(u_kind_first[kind].x);
+}
+
+// As nearer(), for objects that are not asked in order of their ids.
+Nearest nearerOfAnyOrder(Nearest nearest, Crossing crossing, int object)
+{
+    bool better = crossing.found && (crossing.t < nearest.t || (crossing.t == nearest.t && object < nearest.object));
+    Nearest result;
+    result.t = better ? crossing.t : nearest.t;
+    result.object = better ? object : nearest.object;
+    result.inside = better ? crossing.inside : nearest.inside;
+    return result;
+}
+
+// Where the ray meets one object, whatever its kind.
+Crossing crossingOf(Ray ray, int object, int kind, Shape shape)
+{
+    vec3 anchor = shape.anchor.xyz;
+    vec3 axis = shape.axis.xyz;
+    Crossing crossing;
+    crossing.found = false;
+    crossing.t = FAR_AWAY;
+    crossing.inside = false;
+#ifdef HAS_SPHERE
+    if (kind == KIND_SPHERE)
+        crossing = sphereCrossing(ray, object, anchor, shape.anchor.w);
+#endif
+#ifdef HAS_OPEN_CYLINDER
+    if (kind == KIND_OPEN_CYLINDER)
+        crossing = openCylinderCrossing(ray, object, anchor, axis, shape.anchor.w, shape.axis.w);
+#endif
+#ifdef HAS_CAPPED_CYLINDER
+    if (kind == KIND_CAPPED_CYLINDER)
+        crossing = cappedCylinderCrossing(ray, object, anchor, axis, shape.anchor.w, shape.axis.w);
+#endif
+#ifdef HAS_PLANE
+    if (kind == KIND_PLANE)
+        crossing = planeCrossing(ray, object, anchor, axis);
+#endif
+#ifdef HAS_DISK
+    if (kind == KIND_DISK)
+        crossing = diskCrossing(ray, object, anchor, axis, shape.anchor.w);
+#endif
+#ifdef HAS_RECTANGLE
+    if (kind == KIND_RECTANGLE)
+        crossing = rectangleCrossing(ray, object, anchor, axis, shape.along_u.xyz, shape.along_v.xyz);
+#endif
+#ifdef HAS_TRIANGLE
+    if (kind == KIND_TRIANGLE)
+        crossing = triangleCrossing(ray, object, anchor, shape.along_u.xyz, shape.along_v.xyz, axis);
+#endif
+    return crossing;
+}
+
+// The first object that the ray meets: one loop per kind, the kind a constant within each.
+Nearest nearestHit(Ray ray)
+{
+    Nearest nearest = nothingYet();
+    for (int kind = 0; kind < KIND_COUNT; ++kind) {
+        for (int slot = firstOfKind(kind); slot < firstOfKind(kind + 1); ++slot) {
+            int object = int(u_index[slot].w);
+            nearest = nearerOfAnyOrder(nearest, crossingOf(ray, object, kind, u_shapes[slot]), object);
+        }
+    }
+    return nearest;
+}
+
+#ifdef HAS_TINTED_SHADOWS
+// What a transparent object lets through of the light from that distance.
+vec3 tintOf(Ray ray, int object, int kind, Shape shape, float distance, Material material)
+{
+    Crossing crossing = crossingOf(ray, object, kind, shape);
+    vec3 tint = wallTint(crossing, distance, material);
+#ifdef HAS_SPHERE
+    if (kind == KIND_SPHERE)
+        tint = solidTint(sphereSpan(ray, shape.anchor.xyz, shape.anchor.w), ray, object, distance, material);
+#endif
+#ifdef HAS_CAPPED_CYLINDER
+    if (kind == KIND_CAPPED_CYLINDER)
+        tint = solidTint(
+            cappedCylinderSpan(ray, shape.anchor.xyz, shape.axis.xyz, shape.anchor.w, shape.axis.w), ray,
+            object, distance, material);
+#endif
+#ifdef HAS_PLANE
+    if (kind == KIND_PLANE)
+        tint = planeTint(crossing, ray, distance, shape.anchor.xyz, shape.axis.xyz, material);
+#endif
+    return tint;
+}
+#endif
+
+// The share of the light from that distance along the ray that arrives; `glowing` does not shade its own light.
+vec3 lightThrough(Ray ray, float distance, int glowing)
+{
+    vec3 through = vec3(1.0);
+    for (int object = 0; object < SHAPE_COUNT; ++object) {
+        int shadow = int(u_materials[materialOf(object)].shadow_tint.w);
+        if (object == glowing || shadow == SHADOW_NONE)
+            continue;
+        int kind = kindOf(object);
+        Shape shape = shapeOf(object);
+#ifdef HAS_TINTED_SHADOWS
+        if (shadow == SHADOW_TINTED)
+            through *= tintOf(ray, object, kind, shape, distance, u_materials[materialOf(object)]);
+        else
+            through *= unblocked(crossingOf(ray, object, kind, shape), distance);
+#else
+        through *= unblocked(crossingOf(ray, object, kind, shape), distance);
+#endif
+    }
+    return through;
+}

@@ -1,0 +1,190 @@
+// What a ray finds where it meets an object: place, normal, coordinates and colour.
+
+struct Surface {
+    vec3 position; // scene frame, metres
+    vec3 normal;   // unit, on the viewer's side
+    vec3 colour;   // reflectance, with picture and pattern
+};
+
+// The unit normal on the outer (front) side.
+vec3 outwardNormal(Ray ray, Nearest hit, int kind, Shape shape)
+{
+    vec3 normal = shape.axis.xyz;
+#ifdef HAS_SPHERE
+    if (kind == KIND_SPHERE)
+        normal = sphereNormal(ray, shape.anchor.xyz, shape.anchor.w, hit.inside);
+#endif
+#ifdef HAS_OPEN_CYLINDER
+    if (kind == KIND_OPEN_CYLINDER)
+        normal = sideNormal(ray, shape.anchor.xyz, shape.axis.xyz, shape.anchor.w, hit.inside);
+#endif
+#ifdef HAS_CAPPED_CYLINDER
+    if (kind == KIND_CAPPED_CYLINDER)
+        normal = cappedCylinderNormal(ray, shape.anchor.xyz, shape.axis.xyz, shape.anchor.w, shape.axis.w, hit.inside);
+#endif
+    return normal;
+}
+
+// The point that was met. On a sphere it is the centre plus the radius along the normal: no error of t enters.
+vec3 hitPosition(Ray ray, Nearest hit, int kind, Shape shape, vec3 outward)
+{
+    vec3 position = ray.origin + hit.t * ray.direction;
+#ifdef HAS_SPHERE
+    if (kind == KIND_SPHERE)
+        position = shape.anchor.xyz + shape.anchor.w * outward;
+#endif
+    return position;
+}
+
+#ifdef HAS_COORDINATES
+// Coordinates on a surface: `metres` along it for patterns, `picture` in 0..1 with `extent` metres to that 1, and whether
+// the picture wraps around (1) or ends (0) at its edges.
+struct Coordinates {
+    vec2 metres;
+    vec2 picture;
+    vec2 extent;
+    vec2 wraps;
+};
+
+// A point of the texture frame's equator and height: longitude 0..1 as latLong() and the arc's length.
+Coordinates sphereCoordinates(vec3 outward, Shape shape)
+{
+    vec3 local = vec3(dot(outward, shape.along_u.xyz), dot(outward, shape.axis.xyz), dot(outward, shape.along_v.xyz));
+    Coordinates coordinates;
+    coordinates.picture = latLong(local);
+    coordinates.extent = shape.anchor.w * vec2(2.0 * PI, PI);
+    coordinates.metres = (coordinates.picture - 0.5) * coordinates.extent;
+    coordinates.wraps = vec2(1.0, 0.0);
+    return coordinates;
+}
+
+// A disk's, or a cap's: the picture spans the square around it.
+Coordinates diskCoordinates(vec3 offset, vec3 along_u, vec3 along_v, float radius)
+{
+    Coordinates coordinates;
+    coordinates.metres = vec2(dot(offset, along_u), dot(offset, along_v));
+    coordinates.extent = vec2(2.0 * radius);
+    coordinates.picture = 0.5 + coordinates.metres / coordinates.extent;
+    coordinates.wraps = vec2(0.0);
+    return coordinates;
+}
+
+Coordinates cylinderCoordinates(vec3 offset, vec3 outward, Shape shape)
+{
+    // On a cap the normal runs along the axis.
+    bool onCap = abs(dot(outward, shape.axis.xyz)) > 0.5;
+    Coordinates side;
+    float longitude = latLong(vec3(dot(outward, shape.along_u.xyz), 0.0, dot(outward, shape.along_v.xyz))).x;
+    side.picture = vec2(longitude, dot(offset, shape.axis.xyz) / shape.axis.w);
+    side.extent = vec2(2.0 * PI * shape.anchor.w, shape.axis.w);
+    side.metres = (side.picture - vec2(0.5, 0.0)) * side.extent;
+    side.wraps = vec2(1.0, 0.0);
+    Coordinates cap = diskCoordinates(offset, shape.along_u.xyz, -shape.along_v.xyz, shape.anchor.w);
+    Coordinates result = side;
+    if (onCap)
+        result = cap;
+    return result;
+}
+
+// Natural coordinates 0..1 along two edges of the given lengths, turned about the picture's middle.
+Coordinates edgeCoordinates(vec2 shares, vec2 lengths, vec2 turn)
+{
+    vec2 centred = shares - 0.5;
+    Coordinates coordinates;
+    coordinates.picture =
+        0.5 + vec2(turn.x * centred.x + turn.y * centred.y, turn.x * centred.y - turn.y * centred.x);
+    coordinates.extent = lengths;
+    vec2 along = shares * lengths;
+    coordinates.metres = vec2(turn.x * along.x + turn.y * along.y, turn.x * along.y - turn.y * along.x);
+    coordinates.wraps = vec2(0.0);
+    return coordinates;
+}
+
+// An endless plane's: a picture repeats every `size` metres.
+Coordinates planeCoordinates(vec3 offset, Shape shape, float size)
+{
+    Coordinates coordinates;
+    coordinates.metres = vec2(dot(offset, shape.along_u.xyz), dot(offset, shape.along_v.xyz));
+    coordinates.extent = vec2(size);
+    coordinates.picture = coordinates.metres / size;
+    coordinates.wraps = vec2(1.0);
+    return coordinates;
+}
+
+Coordinates coordinatesOf(vec3 position, vec3 outward, int kind, Shape shape, Material material)
+{
+    vec3 offset = position - shape.anchor.xyz;
+    Coordinates coordinates;
+    coordinates.metres = vec2(0.0);
+    coordinates.picture = vec2(0.0);
+    coordinates.extent = vec2(1.0);
+    coordinates.wraps = vec2(0.0);
+#ifdef HAS_PLANE
+    if (kind == KIND_PLANE)
+        coordinates = planeCoordinates(offset, shape, material.checker_first.w);
+#endif
+#ifdef HAS_SPHERE
+    if (kind == KIND_SPHERE)
+        coordinates = sphereCoordinates(outward, shape);
+#endif
+#ifdef HAS_CYLINDER
+    if (kind == KIND_OPEN_CYLINDER || kind == KIND_CAPPED_CYLINDER)
+        coordinates = cylinderCoordinates(offset, outward, shape);
+#endif
+#ifdef HAS_DISK
+    if (kind == KIND_DISK)
+        coordinates = diskCoordinates(offset, shape.along_u.xyz, shape.along_v.xyz, shape.anchor.w);
+#endif
+#ifdef HAS_RECTANGLE
+    if (kind == KIND_RECTANGLE)
+        coordinates = edgeCoordinates(vec2(dot(offset, shape.along_u.xyz), dot(offset, shape.along_v.xyz)),
+                                      vec2(shape.along_u.w, shape.along_v.w), vec2(shape.anchor.w, shape.axis.w));
+#endif
+#ifdef HAS_TRIANGLE
+    if (kind == KIND_TRIANGLE)
+        coordinates = edgeCoordinates(triangleShares(offset, shape.along_u.xyz - shape.anchor.xyz,
+                                                     shape.along_v.xyz - shape.anchor.xyz, shape.axis.xyz),
+                                      vec2(shape.along_u.w, shape.along_v.w), vec2(shape.anchor.w, shape.axis.w));
+#endif
+    return coordinates;
+}
+#endif
+
+#ifdef HAS_CHECKER
+// 1 on the fields that take the second colour.
+float checkerField(vec2 metres, float size)
+{
+    return mod(floor(metres.x / size) + floor(metres.y / size), 2.0);
+}
+#endif
+
+// Everything about the point where a path meets an object.
+Surface surfaceAt(Path path, Nearest hit, Material material)
+{
+    int kind = kindOf(hit.object);
+    Shape shape = shapeOf(hit.object);
+    vec3 outward = outwardNormal(path.ray, hit, kind, shape);
+    Surface surface;
+    surface.position = hitPosition(path.ray, hit, kind, shape, outward);
+    surface.normal = hit.inside ? -outward : outward;
+    surface.colour = material.colour.xyz;
+#ifdef HAS_COORDINATES
+    Coordinates coordinates = coordinatesOf(surface.position, outward, kind, shape, material);
+#endif
+#ifdef HAS_CHECKER
+    if (material.checker.w > 0.0) {
+        bool second = checkerField(coordinates.metres, material.checker.w) > 0.5;
+        vec3 field = second ? material.checker.xyz : material.checker_first.xyz;
+        surface.colour *= field;
+    }
+#endif
+#ifdef HAS_PICTURES
+    // The footprint of a sample at this distance, as a share of the picture: a circle of the ellipse's area.
+    float slant = max(abs(dot(path.ray.direction, outward)), 0.001);
+    float footprint_m = u_camera.forward.w * (path.travelled + hit.t) / sqrt(slant);
+    if (material.colour.w >= 0.0)
+        surface.colour *= pictureColour(int(material.colour.w), coordinates.picture, coordinates.wraps,
+                                        footprint_m / coordinates.extent);
+#endif
+    return surface;
+}

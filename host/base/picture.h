@@ -1,0 +1,62 @@
+// Pictures in memory, their files, and their chain of smaller levels.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dioptre
+{
+
+// How the numbers of a picture are to be read. Four channels (RGBA) in every case.
+enum class PixelFormat {
+    srgb8,   // bytes, sRGB-encoded colour, alpha linear
+    linear8, // bytes, linear
+    float32  // linear radiance or data
+};
+
+// Rows run from the bottom up: row 0 is v = 0, as OpenGL wants it; the loaders flip.
+struct Picture {
+    int width = 0;  // texels
+    int height = 0; // texels
+    PixelFormat format = PixelFormat::float32;
+    std::vector<std::uint8_t> bytes; // 4 * width * height, for the 8-bit formats
+    std::vector<float> floats;       // 4 * width * height, for float32
+};
+
+enum class Encoding { automatic, srgb, linear };
+
+// Reads PNG, JPEG, Radiance HDR or EXR, told by content and not by name. Colour pictures of 8 bits are srgb8
+// unless `encoding` says otherwise or the PNG's gAMA is 1.0. Throws inputMissing or badInput.
+Picture readPicture(const std::filesystem::path& path, Encoding encoding = Encoding::automatic);
+
+// Linear RGBA of one texel, decoded as the format says.
+std::array<float, 4> linearTexel(const Picture& picture, int x, int y);
+
+// The picture and its halvings down to 1x1 by a 2x2 box filter taken in linear light (floor of odd sizes, as
+// OpenGL).
+std::vector<Picture> mipmaps(const Picture& picture);
+
+// IEC 61966-2-1. Linear 1.0 is white; values outside 0..1 are clamped, NaN gives 0.
+std::uint8_t srgb8FromLinear(float linear);
+float linearFromSrgb8(std::uint8_t encoded);
+
+// Key and value pairs for a PNG's tEXt chunks or an EXR's header: what made the picture.
+using Settings = std::map<std::string, std::string>;
+
+// Writes 8-bit RGB. The first three of the four channels of a float32 picture are sRGB-encoded when `encode`
+// is true and scaled by 255 otherwise. Throws cannotWrite.
+void writePng(const std::filesystem::path& path, const Picture& picture, bool encode,
+              const Settings& settings);
+
+enum class ExrDepth { half, full };
+
+// Writes the R, G, B channels of a float32 picture, ZIP-compressed. Throws cannotWrite.
+void writeExr(const std::filesystem::path& path, const Picture& picture, ExrDepth depth,
+              const Settings& settings);
+
+} // namespace dioptre

@@ -1,0 +1,20 @@
+// Small helpers on text that several layers need.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dioptre
+{
+
+// The candidate nearest to `word` by edit distance, or "" when none is near enough to be a slip of the pen.
+std::string nearestWord(std::string_view word, const std::vector<std::string>& candidates);
+
+// The pieces joined with `separator` between them.
+std::string join(const std::vector<std::string>& pieces, std::string_view separator);
+
+// 64-bit FNV-1a of the bytes: the fingerprint under which shader texts and settings are compared.
+unsigned long long fingerprint(std::string_view bytes);
+
+} // namespace dioptre

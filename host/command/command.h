@@ -1,0 +1,32 @@
+// The commands of the program. Each returns what the process ends with, or throws Error.
+#pragma once
+
+#include "base/error.h"
+
+#include <string>
+#include <vector>
+
+namespace dioptre
+{
+
+// Reads the command line (without the program's name) and runs the command that it names.
+ExitCode runCommandLine(const std::vector<std::string>& arguments);
+
+// What `dioptre render` was asked for.
+struct RenderOptions {
+    std::string input;  // gallery name, scene file, or plain shader
+    std::string output; // .png or .exr; the input's name with .png in the current folder where empty
+    int width = 1280;   // pixels
+    int height = 720;   // pixels
+    int samples = 16;   // a pixel
+    int budget = 0;     // rays a sample; 0 leaves it to the scene
+    std::vector<std::string> overrides; // path=value
+    std::string backend = "auto";
+    bool half = false;      // EXR in 16-bit floats
+    bool reference = false; // in double precision on the CPU
+    bool why = false;
+    bool json = false;
+};
+ExitCode render(const RenderOptions& options);
+
+} // namespace dioptre

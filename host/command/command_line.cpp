@@ -1,0 +1,102 @@
+#include "command/command.h"
+
+#include "base/text.h"
+#include "gl/context.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace dioptre
+{
+namespace
+{
+
+constexpr int largestSide_px = 16384; // what every OpenGL driver that we know draws at once
+
+// "640x360" to two numbers.
+void readSize(const std::string& text, RenderOptions& options)
+{
+    int used = 0;
+    const int found = std::sscanf(text.c_str(), "%dx%d%n", &options.width, &options.height, &used);
+    const auto sane = [](int side) { return side >= 1 && side <= largestSide_px; };
+    if (found != 2 || static_cast<std::size_t>(used) != text.size() || !sane(options.width) ||
+        !sane(options.height))
+        fail(ExitCode::usage, fmt::format("--size {} is not a size", text),
+             fmt::format("write WIDTHxHEIGHT in pixels, each 1 to {}, as in --size 640x360", largestSide_px));
+}
+
+void addRender(CLI::App& app, RenderOptions& options, std::string& size)
+{
+    auto* command = app.add_subcommand("render", "draw a scene or a plain shader without a window");
+    command
+        ->add_option("input", options.input,
+                     "gallery name, scene file (.toml) or plain shader (.frag, .glsl)")
+        ->required()
+        ->type_name("SCENE|SHADER");
+    command->add_option("-o,--output", options.output, "the picture: .png (8 bit) or .exr (linear float)")
+        ->type_name("FILE");
+    command->add_option("--size", size, "width and height in pixels")
+        ->type_name("WxH")
+        ->default_str("1280x720");
+    command->add_option("--spp", options.samples, "samples a pixel")
+        ->check(CLI::Range(1, 65536))
+        ->capture_default_str();
+    command->add_option("--budget", options.budget, "rays a sample, the eye ray included")
+        ->check(CLI::Range(1, 4096));
+    command
+        ->add_option("--set", options.overrides,
+                     "change a value of the scene, as trace.form=loop; may be repeated")
+        ->type_name("PATH=VALUE")
+        ->allow_extra_args(false);
+    command->add_option("--backend", options.backend, "where to draw")
+        ->check(CLI::IsMember(backendNames()))
+        ->capture_default_str();
+    command->add_flag("--half", options.half, "write EXR in 16-bit floats");
+    command->add_flag("--reference", options.reference,
+                      "trace in double precision on the CPU, without OpenGL");
+    command->add_flag("--why", options.why, "print what the scene needs, what was left out, and why");
+    command->add_flag("--json", options.json, "print figures as JSON");
+}
+
+// CLI11 would only say that a command is missing.
+void refuseUnknownCommand(const CLI::App& app, const std::vector<std::string>& arguments)
+{
+    if (arguments.empty() || arguments.front().starts_with('-'))
+        return;
+    std::vector<std::string> names;
+    for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(command->get_name());
+    if (std::find(names.begin(), names.end(), arguments.front()) == names.end())
+        fail(ExitCode::usage, "there is no command '" + arguments.front() + "'",
+             "the commands are: " + join(names, ", "));
+}
+
+} // namespace
+
+ExitCode runCommandLine(const std::vector<std::string>& arguments)
+{
+    CLI::App app{"dioptre: ray tracing by one GLSL fragment shader", "dioptre"};
+    app.set_version_flag("--version", std::string("dioptre ") + DIOPTRE_VERSION);
+    app.require_subcommand(1);
+    RenderOptions options;
+    std::string size = "1280x720";
+    addRender(app, options, size);
+    refuseUnknownCommand(app, arguments);
+    try {
+        // CLI11 takes the arguments from the back.
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) {
+            app.exit(error);
+            return ExitCode::done;
+        }
+        fail(ExitCode::usage, error.what(), "run 'dioptre render --help' for the options");
+    }
+    readSize(size, options);
+    return render(options);
+}
+
+} // namespace dioptre

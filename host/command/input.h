@@ -1,0 +1,27 @@
+// Where the program's own files are, and what a user's SCENE or SHADER means.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace dioptre
+{
+
+// The folder glsl/: $DIOPTRE_GLSL where set, else the one beside the program or above it. Throws
+// inputMissing.
+std::filesystem::path glslFolder();
+
+// Names of the gallery's scenes, sorted.
+std::vector<std::string> galleryNames();
+
+struct Input {
+    std::filesystem::path path;
+    std::string name; // without folder and extension
+    bool plainShader = false;
+};
+
+// A gallery name, a .toml file, or a .frag/.glsl file. Throws inputMissing with the nearest gallery name.
+Input findInput(const std::string& text);
+
+} // namespace dioptre

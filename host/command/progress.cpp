@@ -1,0 +1,29 @@
+#include "command/progress.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <unistd.h>
+
+namespace dioptre
+{
+
+std::function<void(double)> terminalProgress()
+{
+    if (isatty(STDERR_FILENO) == 0)
+        return {};
+    const auto start = std::chrono::steady_clock::now();
+    return [start](double done) {
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        if (elapsed.count() < 1.0)
+            return;
+        const double left_s = elapsed.count() * (1.0 - done) / done;
+        fmt::print(stderr, "\r{:3.0f} %, {:.0f} s left ", 100.0 * done, left_s);
+        if (done >= 1.0)
+            fmt::print(stderr, "\r\033[K");
+        std::fflush(stderr);
+    };
+}
+
+} // namespace dioptre

@@ -1,0 +1,13 @@
+// A line that says how much is done and how long the rest takes; on a terminal alone.
+#pragma once
+
+#include <functional>
+
+namespace dioptre
+{
+
+// A function to tell the share done, 0..1; empty where standard error is no terminal. Says nothing in the
+// first second.
+std::function<void(double)> terminalProgress();
+
+} // namespace dioptre

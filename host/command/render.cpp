@@ -1,0 +1,146 @@
+#include "base/clock.h"
+#include "base/file.h"
+#include "base/text.h"
+#include "command/command.h"
+#include "command/input.h"
+#include "command/progress.h"
+#include "command/report.h"
+#include "kernel/reference.h"
+#include "render/still.h"
+#include "scene/load.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace dioptre
+{
+namespace
+{
+
+// The picture's kind by its name, checked before anything is drawn.
+bool isExr(const std::string& output)
+{
+    const auto extension = std::filesystem::path(output).extension();
+    if (extension != ".png" && extension != ".exr")
+        fail(ExitCode::usage, "-o " + output + " is neither .png nor .exr",
+             "name the picture FILE.png or FILE.exr");
+    return extension == ".exr";
+}
+
+Settings settingsOf(const RenderOptions& options, const ContextInfo& context)
+{
+    Settings settings = {{"Software", std::string("dioptre ") + DIOPTRE_VERSION},
+                         {"dioptre.input", options.input},
+                         {"dioptre.size", fmt::format("{}x{}", options.width, options.height)},
+                         {"dioptre.spp", std::to_string(options.samples)},
+                         {"dioptre.backend", context.backend},
+                         {"dioptre.renderer", context.renderer}};
+    if (!options.overrides.empty())
+        settings["dioptre.set"] = join(options.overrides, " ");
+    return settings;
+}
+
+void write(const RenderOptions& options, const Still& still, const ContextInfo& context, bool encode)
+{
+    const auto settings = settingsOf(options, context);
+    if (isExr(options.output))
+        writeExr(options.output, still.picture, options.half ? ExrDepth::half : ExrDepth::full, settings);
+    else
+        writePng(options.output, still.picture, encode, settings);
+}
+
+// Options that would have no effect are refused, not passed over.
+void refuseIdleOptions(const RenderOptions& options, const Input& input)
+{
+    if (options.half && !isExr(options.output))
+        fail(ExitCode::usage, "--half is for EXR, and " + options.output + " is a PNG",
+             "name the picture FILE.exr");
+    if (input.plainShader && (options.reference || options.budget > 0 || !options.overrides.empty()))
+        fail(ExitCode::usage,
+             options.input + " is a plain shader, and --set, --budget and --reference are for scenes",
+             "leave them out");
+}
+
+void refuseEditedShader(const std::filesystem::path& glsl)
+{
+    if (shaderFingerprint(glsl) != compiledShaderFingerprint())
+        fail(ExitCode::badInput, glsl.string() + " was edited after the reference was compiled from it",
+             "build again: the reference speaks only for the sources that it was made from");
+}
+
+// In double precision on the CPU: the same sources, no OpenGL.
+Still renderReferenceStill(const PreparedScene& prepared, const StillSettings& settings)
+{
+    refuseEditedShader(settings.glslFolder);
+    Still still;
+    Stopwatch watch;
+    still.picture = renderReference(prepared.packed, settings.width, settings.height, settings.samples);
+    finish(still, 1.0F, 1.0);
+    still.phases.draw = watch.lap_ms();
+    return still;
+}
+
+struct Rendering {
+    Still still;
+    ContextInfo context;
+    std::optional<PreparedScene> prepared; // none for a plain shader
+};
+
+Rendering renderInput(const RenderOptions& options, const Input& input)
+{
+    StillSettings settings{options.width, options.height, options.samples, glslFolder(), terminalProgress()};
+    Rendering rendering;
+    Stopwatch watch;
+    double load_ms = 0.0;
+    if (!input.plainShader) {
+        rendering.prepared = prepare(loadScene(input.path, options.overrides), settings);
+        load_ms = watch.lap_ms();
+    }
+    if (options.reference) {
+        rendering.context = {"reference", "double precision on the CPU", "", true};
+        rendering.still = renderReferenceStill(*rendering.prepared, settings);
+    } else {
+        const auto context = makeContext(options.backend);
+        rendering.context = context->info();
+        const double context_ms = watch.lap_ms();
+        rendering.still = rendering.prepared ? renderScene(*rendering.prepared, settings, context->info())
+                                             : renderPlain(input.path, settings);
+        rendering.still.phases.context = context_ms;
+    }
+    rendering.still.phases.load += load_ms;
+    return rendering;
+}
+
+} // namespace
+
+ExitCode render(const RenderOptions& asked)
+{
+    RenderOptions options = asked;
+    const Input input = findInput(options.input);
+    if (options.output.empty())
+        options.output = input.name + ".png";
+    refuseIdleOptions(options, input);
+    if (options.budget > 0)
+        options.overrides.push_back(fmt::format("trace.budget={}", options.budget));
+    if (input.plainShader)
+        options.samples = 1; // it is asked once for each pixel
+    isExr(options.output);
+    PendingFile{options.output}; // refuses a folder that cannot be written to before anything is drawn
+    Rendering rendering = renderInput(options, input);
+    const Plan* plan = rendering.prepared ? &rendering.prepared->plan : nullptr;
+    Stopwatch watch;
+    write(options, rendering.still, rendering.context, !input.plainShader);
+    rendering.still.phases.write = watch.lap_ms();
+    if (options.why)
+        fmt::print("{}", whyText(plan, rendering.still));
+    if (options.json)
+        fmt::print("{}", jsonText(options, rendering.still, rendering.context, plan));
+    if (rendering.still.nonfinite > 0)
+        fmt::print(stderr, "dioptre: {} pixels are not finite\n", rendering.still.nonfinite);
+    fmt::print(stderr, "{}: {}x{}, {} spp, {} ({})\n", options.output, options.width, options.height,
+               options.samples, rendering.context.backend, rendering.context.renderer);
+    return ExitCode::done;
+}
+
+} // namespace dioptre

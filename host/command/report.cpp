@@ -1,0 +1,93 @@
+#include "command/report.h"
+
+#include "base/text.h"
+#include "render/prune.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace dioptre
+{
+namespace
+{
+
+struct ShaderSize {
+    std::size_t characters = 0;
+    std::size_t lines = 0;
+    std::ptrdiff_t functions = 0;
+};
+
+ShaderSize sizeOf(const SourceText& shader)
+{
+    const auto items = itemsOf(shader);
+    return {flatten(shader).size(), shader.size(),
+            std::count_if(items.begin(), items.end(),
+                          [](const auto& item) { return item.kind == ShaderItem::Kind::function; })};
+}
+
+std::string orNone(const std::vector<std::string>& names)
+{
+    return names.empty() ? "none" : join(names, ", ");
+}
+
+} // namespace
+
+std::string whyText(const Plan* plan, const Still& still)
+{
+    std::string text;
+    if (plan != nullptr) {
+        for (const auto& feature : plan->features)
+            text += fmt::format("{:4} {:30} {}\n", feature.in ? "in" : "out", feature.name, feature.reason);
+        text += fmt::format("\nbudget    {} rays a sample\n", plan->budget);
+    }
+    if (still.shader.empty())
+        return text + "traced in double precision on the CPU: no shader, textures or uniforms on a device\n";
+    const ShaderSize size = sizeOf(still.shader);
+    text += fmt::format("shader    {} characters, {} lines, {} functions\n", size.characters, size.lines,
+                        size.functions);
+    text += fmt::format("textures  {} ({:.1f} MiB)\n", orNone(still.textures),
+                        static_cast<double>(still.textureBytes) / (1024.0 * 1024.0));
+    text += fmt::format("uniforms  {}\n", orNone(still.uniforms));
+    text += fmt::format("blocks    {}\n", orNone(still.blocks));
+    text += fmt::format("compile   {:.1f} ms, first draw {:.1f} ms\n", still.phases.compile,
+                        still.phases.firstDraw);
+    return text;
+}
+
+std::string jsonText(const RenderOptions& options, const Still& still, const ContextInfo& context,
+                     const Plan* plan)
+{
+    const ShaderSize size = sizeOf(still.shader);
+    nlohmann::ordered_json json = {
+        {"output", options.output},
+        {"size", {options.width, options.height}},
+        {"samples", options.samples},
+        {"backend", context.backend},
+        {"renderer", context.renderer},
+        {"phases_ms",
+         {{"context", still.phases.context},
+          {"load", still.phases.load},
+          {"compile", still.phases.compile},
+          {"first_draw", still.phases.firstDraw},
+          {"draw", still.phases.draw},
+          {"read", still.phases.read},
+          {"write", still.phases.write}}},
+        {"rays_per_pixel", still.raysPerSample * options.samples},
+        {"nonfinite_pixels", still.nonfinite},
+        {"shader", {{"characters", size.characters}, {"lines", size.lines}, {"functions", size.functions}}},
+        {"uniforms", still.uniforms},
+        {"blocks", still.blocks},
+        {"textures", still.textures},
+    };
+    if (plan != nullptr) {
+        json["budget"] = plan->budget;
+        for (const auto& feature : plan->features)
+            json["plan"].push_back(
+                {{"feature", feature.name}, {"in", feature.in}, {"reason", feature.reason}});
+    }
+    return json.dump(2) + "\n";
+}
+
+} // namespace dioptre

@@ -1,0 +1,19 @@
+// What --why and --json say of a picture.
+#pragma once
+
+#include "command/command.h"
+#include "render/still.h"
+
+#include <string>
+
+namespace dioptre
+{
+
+// The plan's table, what the shader holds, and its compile times. A plain shader has no plan.
+std::string whyText(const Plan* plan, const Still& still);
+
+// One JSON object; see the README for its keys.
+std::string jsonText(const RenderOptions& options, const Still& still, const ContextInfo& context,
+                     const Plan* plan);
+
+} // namespace dioptre

@@ -1,0 +1,29 @@
+// One function for each way to a context, and what they share.
+#pragma once
+
+#include "gl/context.h"
+
+#include <glad/gl.h>
+
+#include <memory>
+#include <string>
+
+namespace dioptre
+{
+
+// A context that is current, or the reason why there is none.
+struct ContextTry {
+    std::unique_ptr<Context> context;
+    std::string fault; // "" when it worked
+};
+
+ContextTry tryEglSurfaceless();
+ContextTry tryEglDevice();
+ContextTry tryEglDefault();
+ContextTry tryOsMesa();
+
+// Loads the OpenGL functions of the context that is current and fills the rest of `info`. Gives "" or the
+// fault: functions loaded for another context crash, so this runs for every new one.
+std::string loadFunctions(GLADloadfunc loader, ContextInfo& info);
+
+} // namespace dioptre

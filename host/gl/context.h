@@ -1,0 +1,49 @@
+// An OpenGL 3.3 core context without a window.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dioptre
+{
+
+// What a context says of itself.
+struct ContextInfo {
+    std::string backend;  // "egl-surfaceless", "egl-device", "egl-default" or "osmesa"
+    std::string renderer; // GL_RENDERER
+    std::string version;  // GL_VERSION
+    bool software =
+        false; // llvmpipe, softpipe or swrast: timer queries lie there, a monotonic clock is used instead
+};
+
+// Owns a context that is current on the thread that made it; GL functions are loaded for it.
+class Context
+{
+public:
+    virtual ~Context() = default;
+    const ContextInfo& info() const
+    {
+        return info_;
+    }
+
+protected:
+    ContextInfo info_;
+};
+
+// One attempt and what came of it, for logs and error messages.
+struct BackendAttempt {
+    std::string backend;
+    std::string outcome; // "" when it worked
+};
+
+// The names that --backend takes: "auto", "egl", "egl-surfaceless", "egl-device", "egl-default", "osmesa".
+const std::vector<std::string>& backendNames();
+
+// Makes a context by the named backend; "auto" tries EGL surfaceless, EGL device, EGL default and OSMesa in
+// turn, "egl" the first three. Each try is added to `attempts` if given. Throws noOpenGl, naming every
+// attempt, when none works.
+std::unique_ptr<Context> makeContext(const std::string& backend,
+                                     std::vector<BackendAttempt>* attempts = nullptr);
+
+} // namespace dioptre

@@ -1,0 +1,43 @@
+// Compiling and linking one fragment shader over a full-screen triangle, and looking at what it asks for.
+#pragma once
+
+#include "gl/object.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace dioptre
+{
+
+// A linked program and what it reads.
+struct Program {
+    ProgramName name;
+    std::map<std::string, GLint>
+        uniforms; // active uniforms outside blocks ("u_x", arrays without "[0]") by location
+    std::map<std::string, GLuint> uniformBlocks; // active blocks by index
+};
+
+// One message of a driver's log, mapped out of its format.
+struct LogMessage {
+    int line = 0; // of the text that was sent, counted from 1; 0 where the driver names none
+    std::string text;
+};
+
+// Reads Mesa's "0:12(11): error: …", NVIDIA's "0(12) : error C1503: …" and the "ERROR: 0:12: …" of AMD, Intel
+// and ANGLE. Lines in none of these formats are kept with line 0.
+std::vector<LogMessage> parseLog(const std::string& log);
+
+// A compile or link that failed; main() never sees it: render/ maps its lines to files first.
+struct ShaderError {
+    std::vector<LogMessage> messages;
+};
+
+// Compiles `fragmentText` (whole, with its #version) with the full-screen triangle's vertex shader and links
+// them. Throws ShaderError.
+Program buildProgram(const std::string& fragmentText);
+
+// The vertex shader: one triangle that covers the viewport, from gl_VertexID alone.
+const std::string& fullScreenVertexShader();
+
+} // namespace dioptre

@@ -1,0 +1,89 @@
+#include "gl/target.h"
+
+#include "base/error.h"
+#include "gl/texture_binding.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace dioptre
+{
+namespace
+{
+
+// Names made by a glGen* function.
+template <typename Owner, typename Generate>
+Owner generate(Generate generateNames)
+{
+    GLuint name = 0;
+    generateNames(1, &name);
+    return Owner(name);
+}
+
+void checkSize(int width, int height)
+{
+    GLint longestTexture = 0;
+    std::array<GLint, 2> longestViewport{};
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &longestTexture);
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, longestViewport.data());
+    const GLint longest = std::min({longestTexture, longestViewport[0], longestViewport[1]});
+    if (width < 1 || height < 1 || width > longest || height > longest)
+        fail(ExitCode::usage, fmt::format("pictures of {}x{} pixels cannot be drawn here", width, height),
+             fmt::format("choose a --size of 1 to {} on either side", longest));
+}
+
+} // namespace
+
+AccumulationTarget makeAccumulationTarget(int width, int height)
+{
+    checkSize(width, height);
+    AccumulationTarget target{width, height, generate<Texture>(glGenTextures),
+                              generate<Framebuffer>(glGenFramebuffers),
+                              generate<VertexArray>(glGenVertexArrays)};
+    const TextureBinding binding(GL_TEXTURE_2D, target.colour.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0); // complete without mip levels
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.colour.name(), 0);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        fail(ExitCode::noOpenGl, "this OpenGL cannot draw into float32 textures", "try another --backend");
+    glViewport(0, 0, width, height);
+    glDisable(GL_SCISSOR_TEST);
+    const std::array<GLfloat, 4> zero{};
+    glClearBufferfv(GL_COLOR, 0, zero.data());
+    return target;
+}
+
+// Draws add up in the order in which they are made: OpenGL blends in that order.
+void drawAdding(const AccumulationTarget& target, int x, int y, int width, int height)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+    glViewport(0, 0, target.width, target.height);
+    glBindVertexArray(target.vertexArray.name());
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(x, y, width, height);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+Picture readBack(const AccumulationTarget& target)
+{
+    Picture picture{target.width, target.height, PixelFormat::float32, {}, {}};
+    picture.floats.resize(4 * static_cast<std::size_t>(target.width) *
+                          static_cast<std::size_t>(target.height));
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, target.width, target.height, GL_RGBA, GL_FLOAT, picture.floats.data());
+    return picture;
+}
+
+} // namespace dioptre

@@ -1,0 +1,30 @@
+// What a program draws into, and the picture that comes back.
+#pragma once
+
+#include "base/picture.h"
+#include "gl/object.h"
+
+namespace dioptre
+{
+
+// A float32 RGBA colour target in which draws add up.
+struct AccumulationTarget {
+    int width = 0;  // pixels
+    int height = 0; // pixels
+    Texture colour;
+    Framebuffer framebuffer;
+    VertexArray vertexArray; // empty: core profile wants one bound
+};
+
+// Makes the target, clears it to zero, binds it and sets the viewport to it. Throws noOpenGl if float targets
+// are missing.
+AccumulationTarget makeAccumulationTarget(int width, int height);
+
+// Draws the full-screen triangle with the current program into [x, x+width) x [y, y+height), adding to what
+// is there.
+void drawAdding(const AccumulationTarget& target, int x, int y, int width, int height);
+
+// Reads the target back: rows from the bottom up, sums as they stand.
+Picture readBack(const AccumulationTarget& target);
+
+} // namespace dioptre

@@ -1,0 +1,22 @@
+// Pictures on the device.
+#pragma once
+
+#include "base/picture.h"
+#include "gl/object.h"
+
+#include <vector>
+
+namespace dioptre
+{
+
+// An array texture of pictures of one size and format, with all their mip levels (trilinear, repeating both
+// ways). layers[i] is the mip chain of layer i.
+Texture uploadPictureArray(const std::vector<std::vector<Picture>>& layers);
+
+// A single 2D float texture without mip levels (bilinear; repeats along s, clamps along t): the sky.
+Texture uploadSky(const Picture& picture);
+
+// A uniform buffer with the given bytes.
+Buffer uploadUniformBuffer(const std::vector<float>& values);
+
+} // namespace dioptre

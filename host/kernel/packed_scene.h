@@ -1,0 +1,64 @@
+// A scene as numbers, ready for the device or for the double-precision reference: what
+// glsl/shared/structs.glsl declares, in doubles, in the scene frame (the world less the scene origin).
+#pragma once
+
+#include "base/picture.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace dioptre
+{
+
+// The shared files, read here with float as double; the device gets the same values rounded.
+namespace packed
+{
+using vec4 = glm::dvec4;
+#define float double
+#include "../glsl/shared/constants.glsl"
+#include "../glsl/shared/structs.glsl"
+#undef float
+
+static_assert(sizeof(Shape) == 4 * sizeof(vec4) && sizeof(Light) == 6 * sizeof(vec4));
+static_assert(sizeof(Material) == 11 * sizeof(vec4) &&
+              offsetof(Material, shadow_absorption) == 10 * sizeof(vec4));
+static_assert(sizeof(Camera) == 4 * sizeof(vec4) && sizeof(Sky) == 4 * sizeof(vec4));
+} // namespace packed
+
+struct PackedObject {
+    int kind = 0;     // packed::KIND_...
+    int material = 0; // index into PackedScene::materials
+    packed::Shape shape{};
+};
+
+enum class RayTree { single, chain, heaviestFirst, breadthFirst };
+
+struct PackedScene {
+    std::vector<PackedObject> objects; // by object id
+    std::vector<packed::Material> materials;
+    std::vector<packed::Light> lights;
+    packed::Camera camera{};
+    packed::Sky sky{};
+    glm::dvec3 ambient{0.0};
+    RayTree tree = RayTree::single;
+    int budget = 1;      // rays a sample
+    int depth = 1 << 20; // most bounces
+    int poolSlots = 3;
+    double cutOff = 0.0;                        // of a path's weight
+    std::vector<std::vector<Picture>> pictures; // mip chains, by picture index
+    std::vector<Picture> sky_picture;           // none or one
+};
+
+// The table of glsl/trace/scene_loop.glsl.
+struct ShapeTable {
+    std::vector<packed::Shape> shapes; // sorted by kind, then by object id
+    std::vector<packed::vec4> index;
+    std::array<packed::vec4, packed::KIND_COUNT + 1> kindFirst{};
+};
+ShapeTable shapeTable(const PackedScene& scene);
+
+} // namespace dioptre

@@ -1,0 +1,201 @@
+#include "kernel/reference.h"
+
+#include "kernel/sampler.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+namespace dioptre
+{
+namespace reference
+{
+
+#include "kernel/glsl_as_cpp.h"
+
+// What the plan defines for the device; here every feature is in, and the scene's data decide.
+#define HAS_OBJECTS
+#define HAS_SPHERE
+#define HAS_OPEN_CYLINDER
+#define HAS_CAPPED_CYLINDER
+#define HAS_CYLINDER
+#define HAS_PLANE
+#define HAS_DISK
+#define HAS_RECTANGLE
+#define HAS_TRIANGLE
+#define HAS_COORDINATES
+#define HAS_CHECKER
+#define HAS_PICTURES
+#define HAS_MIRROR_RAY
+#define HAS_REFRACTION
+#define HAS_ABSORPTION
+#define HAS_DEPTH_LIMIT
+#define HAS_EMISSION
+#define HAS_ANY_AMBIENT
+#define HAS_AMBIENT
+#define HAS_LOCAL
+#define HAS_LIGHTS
+#define HAS_PLACED_LIGHT
+#define HAS_SPOT_LIGHT
+#define HAS_LIGHT_AMBIENT
+#define HAS_HIGHLIGHT
+#define HAS_PHONG
+#define HAS_BLINN
+#define HAS_SHADOWS
+#define HAS_TINTED_SHADOWS
+#define HAS_SKY_GRADIENT
+#define HAS_SKY_PICTURE
+#define SHAPE_COUNT u_shape_count
+#define LIGHT_COUNT u_light_count
+#define QUEUE_SLOTS 4096 // the largest budget: no more rays than that are ever asked for
+
+// GLSL reads float; the reference computes in double.
+#define float double
+
+#include "shared/constants.glsl"
+using packed::Camera;
+using packed::Light;
+using packed::Material;
+using packed::Shape;
+using packed::Sky;
+
+// Set once before the threads start, read by all of them.
+static vec2 u_resolution;
+static int u_budget, u_depth, u_shape_count, u_light_count;
+static double u_cut_off;
+static vec3 u_ambient;
+static Camera u_camera;
+static Sky u_sky;
+static const Material* u_materials;
+static const Light* u_lights;
+static const Shape* u_shapes;
+static const vec4* u_index;
+static const vec4* u_kind_first;
+static const std::vector<std::vector<Picture>>* u_pictures;
+static const Picture* u_sky_picture;
+
+static vec4 textureLod(const Picture* picture, vec2 uv, double)
+{
+    return picture != nullptr ? sampleBilinear(*picture, uv, Wrap::uOnly) : vec4(1.0);
+}
+
+#include "kernel/footprint.glsl"
+
+static vec3 pictureColour(int picture, vec2 uv, vec2 wraps, vec2 footprint)
+{
+    const auto& levels = (*u_pictures)[static_cast<std::size_t>(picture)];
+    const vec2 size(levels.front().width, levels.front().height);
+    const double level = pictureLevel(footprint, size);
+    return vec3(sampleTrilinear(levels, withinPicture(uv, wraps, level, size), level));
+}
+
+// In the order of ray_trace.frag.
+// clang-format off
+#include "kernel/ray.glsl"
+#include "kernel/sphere.glsl"
+#include "kernel/cylinder.glsl"
+#include "kernel/flat.glsl"
+#include "kernel/dielectric.glsl"
+#include "kernel/lobe.glsl"
+#include "kernel/lat_long.glsl"
+#include "trace/path.glsl"
+#include "trace/camera.glsl"
+#include "trace/nearest.glsl"
+#include "trace/scene_loop.glsl"
+#include "trace/surface.glsl"
+#include "trace/light.glsl"
+#include "trace/sky.glsl"
+#include "trace/scatter.glsl"
+#include "trace/single.glsl"
+#include "trace/chain.glsl"
+#include "trace/breadth_first.glsl"
+// clang-format on
+namespace pool_of_3
+{
+#define POOL_SLOTS 3
+#include "trace/heaviest_first.glsl"
+#undef POOL_SLOTS
+} // namespace pool_of_3
+namespace pool_of_4
+{
+#define POOL_SLOTS 4
+#include "trace/heaviest_first.glsl"
+} // namespace pool_of_4
+#undef float
+
+static vec4 traceTree(const PackedScene& scene, const Path& eye)
+{
+    switch (scene.tree) {
+    case RayTree::single:
+        return traceSingle(eye);
+    case RayTree::chain:
+        return traceChain(eye);
+    case RayTree::heaviestFirst:
+        return scene.poolSlots == 4 ? pool_of_4::traceHeaviestFirst(eye) : pool_of_3::traceHeaviestFirst(eye);
+    case RayTree::breadthFirst:
+        return traceBreadthFirst(eye);
+    }
+    return vec4(0.0);
+}
+
+// Points the uniforms at the scene; `table` must outlive the rendering.
+static void setUniforms(const PackedScene& scene, const ShapeTable& table, int width, int height)
+{
+    u_resolution = vec2(width, height);
+    u_budget = scene.budget;
+    u_depth = scene.depth;
+    u_cut_off = scene.cutOff;
+    u_ambient = scene.ambient;
+    u_camera = scene.camera;
+    u_sky = scene.sky;
+    u_shape_count = static_cast<int>(scene.objects.size());
+    u_light_count = static_cast<int>(scene.lights.size());
+    u_materials = scene.materials.data();
+    u_lights = scene.lights.data();
+    u_shapes = table.shapes.data();
+    u_index = table.index.data();
+    u_kind_first = table.kindFirst.data();
+    u_pictures = &scene.pictures;
+    u_sky_picture = scene.sky_picture.empty() ? nullptr : &scene.sky_picture.front();
+}
+
+static void renderRow(const PackedScene& scene, int y, int samples, Picture& picture)
+{
+    for (int x = 0; x < picture.width; ++x) {
+        vec4 sum(0.0);
+        for (int i = 0; i < samples; ++i)
+            sum += traceTree(scene, eyePath(vec2(x + 0.5, y + 0.5) + sampleOffset(i)));
+        const auto pixel = static_cast<std::size_t>(4 * (y * picture.width + x));
+        for (int channel = 0; channel < 4; ++channel)
+            picture.floats[pixel + static_cast<std::size_t>(channel)] =
+                static_cast<float>(sum[channel] / samples);
+    }
+}
+
+} // namespace reference
+
+Picture renderReference(const PackedScene& scene, int width, int height, int samples)
+{
+    const ShapeTable table = shapeTable(scene);
+    reference::setUniforms(scene, table, width, height);
+    Picture picture;
+    picture.width = width;
+    picture.height = height;
+    picture.floats.resize(static_cast<std::size_t>(4 * width * height));
+    std::atomic<int> next = 0;
+    const auto work = [&] {
+        for (int y = next++; y < height; y = next++)
+            reference::renderRow(scene, y, samples, picture);
+    };
+    std::vector<std::jthread> threads;
+    for (unsigned i = 1; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
+        threads.emplace_back(work);
+    work();
+    threads.clear();
+    return picture;
+}
+
+} // namespace dioptre

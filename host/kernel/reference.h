@@ -1,0 +1,21 @@
+// The tracer of glsl/, compiled as C++ in double precision: the reference that single precision is measured
+// against.
+#pragma once
+
+#include "kernel/packed_scene.h"
+
+#include <filesystem>
+
+namespace dioptre
+{
+
+// Renders the scene on all cores with the settings that it carries, `samples` a pixel. float32 means of the
+// samples, rows from the bottom up; alpha holds the rays traced a sample.
+Picture renderReference(const PackedScene& scene, int width, int height, int samples);
+
+// The fingerprint of the shader sources that the reference was compiled from, and that of a folder. Where
+// they differ the reference would speak for other sources than the device runs.
+unsigned long long compiledShaderFingerprint();
+unsigned long long shaderFingerprint(const std::filesystem::path& glslFolder);
+
+} // namespace dioptre

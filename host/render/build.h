@@ -1,0 +1,13 @@
+// Compiling assembled text, with the driver's messages led back to the author's files.
+#pragma once
+
+#include "gl/program.h"
+#include "render/source_text.h"
+
+namespace dioptre
+{
+
+// Throws badInput: each message as "file:line: message", the source line below it.
+Program buildProgram(const SourceText& source);
+
+} // namespace dioptre

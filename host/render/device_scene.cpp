@@ -1,0 +1,193 @@
+#include "render/device_scene.h"
+
+#include "base/text.h"
+#include "gl/texture.h"
+
+#include <algorithm>
+
+namespace dioptre
+{
+namespace
+{
+
+// Appends a struct of dvec4 as floats, member by member.
+template <typename Struct>
+void append(std::vector<float>& values, const Struct& packed)
+{
+    static_assert(sizeof(Struct) % sizeof(packed::vec4) == 0);
+    const auto* numbers = reinterpret_cast<const double*>(&packed);
+    std::transform(numbers, numbers + sizeof(Struct) / sizeof(double), std::back_inserter(values),
+                   [](double number) { return static_cast<float>(number); });
+}
+
+template <typename Range>
+void appendAll(std::vector<float>& values, const Range& range)
+{
+    for (const auto& item : range)
+        append(values, item);
+}
+
+// Throws badInput where the driver's blocks are smaller; `contents` says what to have fewer of.
+void addBlock(DeviceScene& device, const std::string& name, const std::vector<float>& values,
+              const char* contents)
+{
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &most);
+    if (values.size() * sizeof(float) > static_cast<std::size_t>(most))
+        fail(ExitCode::badInput,
+             std::string("the scene's ") + contents + " take " +
+                 std::to_string(values.size() * sizeof(float)) +
+                 " bytes, and this driver's uniform blocks hold " + std::to_string(most),
+             std::string("use fewer ") + contents);
+    device.blocks.push_back({name, uploadUniformBuffer(values), values.size() * sizeof(float)});
+}
+
+std::size_t bytesOf(const std::vector<Picture>& levels)
+{
+    std::size_t bytes = 0;
+    for (const auto& level : levels)
+        bytes += level.bytes.size() + level.floats.size() * sizeof(float);
+    return bytes;
+}
+
+void uploadTextures(DeviceScene& device, const PackedScene& packed)
+{
+    for (const auto& group : pictureGroups(packed)) {
+        std::vector<std::vector<Picture>> layers;
+        for (const auto picture : group.pictures) {
+            layers.push_back(packed.pictures[picture]);
+            device.textureBytes += bytesOf(layers.back());
+        }
+        device.textures.push_back({group.uniform, uploadPictureArray(layers), GL_TEXTURE_2D_ARRAY});
+    }
+    if (!packed.sky_picture.empty()) {
+        device.textures.push_back({"u_sky_picture", uploadSky(packed.sky_picture.front()), GL_TEXTURE_2D});
+        device.textureBytes += bytesOf(packed.sky_picture);
+    }
+}
+
+std::vector<float> shapeValues(const PackedScene& packed)
+{
+    const ShapeTable table = shapeTable(packed);
+    std::vector<float> values;
+    appendAll(values, table.shapes);
+    appendAll(values, table.index);
+    appendAll(values, table.kindFirst);
+    return values;
+}
+
+// "a, b" of what is in `wanted` and not in `present`.
+std::string missing(const std::vector<std::string>& wanted, const std::vector<std::string>& present)
+{
+    std::vector<std::string> names;
+    for (const auto& name : wanted)
+        if (std::find(present.begin(), present.end(), name) == present.end())
+            names.push_back(name);
+    return join(names, ", ");
+}
+
+template <typename Map>
+std::vector<std::string> keysOf(const Map& map)
+{
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : map)
+        keys.push_back(key);
+    return keys;
+}
+
+} // namespace
+
+DeviceScene upload(const PackedScene& packed, const Plan& plan)
+{
+    DeviceScene device;
+    std::vector<float> camera, sky, materials, lights;
+    append(camera, packed.camera);
+    addBlock(device, "CameraBlock", camera, "cameras");
+    append(sky, packed.sky);
+    addBlock(device, "SkyBlock", sky, "skies");
+    appendAll(materials, packed.materials);
+    // An empty scene may still be seen from within a medium that absorbs.
+    if (plan.has("objects") || plan.has("absorption"))
+        addBlock(device, "MaterialBlock", materials, "materials");
+    appendAll(lights, packed.lights);
+    if (!packed.lights.empty())
+        addBlock(device, "LightBlock", lights, "lights");
+    if (plan.form == SceneForm::loop && plan.has("objects"))
+        addBlock(device, "ShapeBlock", shapeValues(packed), "objects under trace.form = \"loop\"");
+    uploadTextures(device, packed);
+    return device;
+}
+
+std::vector<std::string> plannedUniforms(const Plan& plan)
+{
+    std::vector<std::string> names = {"u_sample_count"};
+    // An empty scene under a plain sky looks alike in every direction.
+    if (plan.has("objects") || plan.has("sky gradient") || plan.has("sky picture"))
+        names.insert(names.end(), {"u_resolution", "u_tile_origin_px", "u_sample_first"});
+    if (plan.tree != RayTree::single) {
+        names.emplace_back("u_budget");
+        names.emplace_back("u_cut_off");
+    }
+    if (plan.has("depth limit"))
+        names.emplace_back("u_depth");
+    if (plan.has("ambient light"))
+        names.emplace_back("u_ambient");
+    return names;
+}
+
+void checkInterface(const Program& program, const DeviceScene& device, const Plan& plan)
+{
+    auto uniforms = plannedUniforms(plan);
+    for (const auto& texture : device.textures)
+        uniforms.push_back(texture.uniform);
+    std::vector<std::string> blocks;
+    for (const auto& block : device.blocks)
+        blocks.push_back(block.block);
+    auto activeUniforms = keysOf(program.uniforms);
+    const auto activeBlocks = keysOf(program.uniformBlocks);
+    // One list for both: their names never meet.
+    uniforms.insert(uniforms.end(), blocks.begin(), blocks.end());
+    activeUniforms.insert(activeUniforms.end(), activeBlocks.begin(), activeBlocks.end());
+    const std::string unread = missing(uniforms, activeUniforms);
+    const std::string unfed = missing(activeUniforms, uniforms);
+    if (!unread.empty())
+        fail(
+            ExitCode::badInput, "the plan feeds " + unread + ", and the shader does not read it",
+            "undo the edit in glsl/; if there was none, this is a fault of dioptre: please report the scene");
+    if (!unfed.empty())
+        fail(
+            ExitCode::badInput, "the shader reads " + unfed + ", and nothing feeds it",
+            "undo the edit in glsl/; if there was none, this is a fault of dioptre: please report the scene");
+}
+
+GLint locationOf(const Program& program, const std::string& name)
+{
+    const auto found = program.uniforms.find(name);
+    return found == program.uniforms.end() ? -1 : found->second;
+}
+
+void bind(const Program& program, const DeviceScene& device, const PackedScene& packed, int width, int height)
+{
+    glUseProgram(program.name.name());
+    GLuint binding = 0;
+    for (const auto& block : device.blocks) {
+        glUniformBlockBinding(program.name.name(), program.uniformBlocks.at(block.block), binding);
+        glBindBufferBase(GL_UNIFORM_BUFFER, binding++, block.buffer.name());
+    }
+    GLint unit = 0;
+    for (const auto& texture : device.textures) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        glBindTexture(texture.target, texture.texture.name());
+        glUniform1i(program.uniforms.at(texture.uniform), unit++);
+    }
+    const auto locate = [&](const char* name) { return locationOf(program, name); };
+    glUniform2f(locate("u_resolution"), static_cast<float>(width), static_cast<float>(height));
+    glUniform2f(locate("u_tile_origin_px"), 0.0F, 0.0F);
+    glUniform1i(locate("u_budget"), packed.budget);
+    glUniform1f(locate("u_cut_off"), static_cast<float>(packed.cutOff));
+    glUniform1i(locate("u_depth"), packed.depth);
+    glUniform3f(locate("u_ambient"), static_cast<float>(packed.ambient.x),
+                static_cast<float>(packed.ambient.y), static_cast<float>(packed.ambient.z));
+}
+
+} // namespace dioptre

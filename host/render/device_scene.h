@@ -1,0 +1,52 @@
+// A packed scene on the device: buffers, textures, and the table of what the program must ask for.
+#pragma once
+
+#include "gl/object.h"
+#include "gl/program.h"
+#include "render/assemble.h"
+
+#include <string>
+#include <vector>
+
+namespace dioptre
+{
+
+// A texture and the sampler uniform that reads it.
+struct BoundTexture {
+    std::string uniform;
+    Texture texture;
+    GLenum target = GL_TEXTURE_2D;
+};
+
+// A buffer and the uniform block that reads it.
+struct BoundBlock {
+    std::string block;
+    Buffer buffer;
+    std::size_t bytes = 0;
+};
+
+struct DeviceScene {
+    std::vector<BoundBlock> blocks;
+    std::vector<BoundTexture> textures;
+    std::size_t textureBytes = 0;
+};
+
+// Uploads what the plan needs and nothing else.
+DeviceScene upload(const PackedScene& packed, const Plan& plan);
+
+// Uniforms outside blocks that the plan needs.
+std::vector<std::string> plannedUniforms(const Plan& plan);
+
+// Compares the program's active uniforms and blocks with the plan's, both ways: a difference is a fault in
+// dioptre or in an edited shader. Throws badInput naming each.
+void checkInterface(const Program& program, const DeviceScene& device, const Plan& plan);
+
+// Where an active uniform is; -1, which OpenGL ignores, where the scene does not need it.
+GLint locationOf(const Program& program, const std::string& name);
+
+// Makes the program current, binds buffers and textures, and sets every uniform that stays the same between
+// draws.
+void bind(const Program& program, const DeviceScene& device, const PackedScene& packed, int width,
+          int height);
+
+} // namespace dioptre

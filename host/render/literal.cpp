@@ -1,0 +1,179 @@
+#include "render/literal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace dioptre
+{
+namespace
+{
+
+glm::dvec3 xyz(const glm::dvec4& v)
+{
+    return glm::dvec3(v.x, v.y, v.z);
+}
+
+// A kernel's arguments after the ray and the object.
+std::string geometry(const PackedObject& object)
+{
+    const auto& shape = object.shape;
+    const auto anchor = literal(xyz(shape.anchor));
+    const auto axis = literal(xyz(shape.axis));
+    const auto radius = literal(shape.anchor.w);
+    switch (object.kind) {
+    case packed::KIND_SPHERE:
+        return anchor + ", " + radius;
+    case packed::KIND_OPEN_CYLINDER:
+    case packed::KIND_CAPPED_CYLINDER:
+        return fmt::format("{}, {}, {}, {}", anchor, axis, radius, literal(shape.axis.w));
+    case packed::KIND_PLANE:
+        return anchor + ", " + axis;
+    case packed::KIND_DISK:
+        return fmt::format("{}, {}, {}", anchor, axis, radius);
+    case packed::KIND_RECTANGLE:
+        return fmt::format("{}, {}, {}, {}", anchor, axis, literal(xyz(shape.along_u)),
+                           literal(xyz(shape.along_v)));
+    default:
+        return fmt::format("{}, {}, {}, {}", anchor, literal(xyz(shape.along_u)), literal(xyz(shape.along_v)),
+                           axis);
+    }
+}
+
+const char* kernelOf(int kind)
+{
+    constexpr const char* names[packed::KIND_COUNT] = {"sphere", "openCylinder", "cappedCylinder", "plane",
+                                                       "disk",   "rectangle",    "triangle"};
+    return names[kind];
+}
+
+std::string crossingOf(const PackedObject& object, std::size_t id)
+{
+    return fmt::format("{}Crossing(ray, {}, {})", kernelOf(object.kind), id, geometry(object));
+}
+
+// The object's name may hold anything; in the shader's comment stands what GLSL's character set allows, and
+// no backslash, which would draw the next line into the comment.
+std::string commentOf(const Object& object, std::size_t id)
+{
+    std::string name = object.name.empty() ? "" : ": " + object.name;
+    std::ranges::replace_if(
+        name, [](char c) { return c < ' ' || c > '~' || c == '\\'; }, '?');
+    return fmt::format("    // {}{}\n", id, name);
+}
+
+std::string nearestHitText(const Scene& scene, const PackedScene& packed)
+{
+    std::string text = "// The first object that the ray meets.\n"
+                       "Nearest nearestHit(Ray ray)\n{\n    Nearest nearest = nothingYet();\n";
+    for (std::size_t id = 0; id < packed.objects.size(); ++id) {
+        text += commentOf(scene.objects[id], id);
+        text +=
+            fmt::format("    nearest = nearer(nearest, {}, {});\n", crossingOf(packed.objects[id], id), id);
+    }
+    return text + "    return nearest;\n}\n\n";
+}
+
+// The factor by which one object lets light through, or "" where it casts no shadow.
+std::string throughOne(const PackedObject& object, const packed::Material& material, std::size_t id)
+{
+    const int shadow = static_cast<int>(material.shadow_tint.w);
+    if (shadow == packed::SHADOW_NONE)
+        return "";
+    if (shadow == packed::SHADOW_OPAQUE)
+        return fmt::format("unblocked({}, distance)", crossingOf(object, id));
+    const auto table = fmt::format("u_materials[{}]", object.material);
+    if (object.kind == packed::KIND_SPHERE || object.kind == packed::KIND_CAPPED_CYLINDER)
+        return fmt::format("solidTint({}Span(ray, {}), ray, {}, distance, {})", kernelOf(object.kind),
+                           geometry(object), id, table);
+    if (object.kind == packed::KIND_PLANE)
+        return fmt::format("planeTint({}, ray, distance, {}, {})", crossingOf(object, id), geometry(object),
+                           table);
+    return fmt::format("wallTint({}, distance, {})", crossingOf(object, id), table);
+}
+
+std::string lightThroughText(const Scene& scene, const PackedScene& packed, const Plan& plan)
+{
+    std::string text =
+        "// The share of the light from that distance along the ray that arrives; `glowing` does not shade "
+        "its own light.\n"
+        "vec3 lightThrough(Ray ray, float distance, int glowing)\n{\n    vec3 through = vec3(1.0);\n";
+    for (std::size_t id = 0; id < packed.objects.size(); ++id) {
+        const auto& object = packed.objects[id];
+        const auto factor =
+            throughOne(object, packed.materials[static_cast<std::size_t>(object.material)], id);
+        if (factor.empty())
+            continue;
+        const bool glows = std::find(plan.glowing.begin(), plan.glowing.end(), id) != plan.glowing.end();
+        text += commentOf(scene.objects[id], id);
+        text += glows ? fmt::format("    if (glowing != {})\n        through *= {};\n", id, factor)
+                      : fmt::format("    through *= {};\n", factor);
+    }
+    return text + "    return through;\n}\n\n";
+}
+
+// A chain of selects on the object's id, neighbours of equal value merged: "object < 3 ? a : object < 5 ? b :
+// c".
+std::string selectText(std::size_t count, const std::function<std::string(std::size_t)>& valueOf)
+{
+    std::string text;
+    for (std::size_t id = 0; id < count; ++id) {
+        const auto value = valueOf(id);
+        if (id + 1 == count)
+            return text + value;
+        if (valueOf(id + 1) != value)
+            text += fmt::format("object < {} ? {}\n           : ", id + 1, value);
+    }
+    return text;
+}
+
+std::string lookupText(const PackedScene& packed)
+{
+    const auto& objects = packed.objects;
+    if (objects.empty())
+        return "";
+    std::string text = "// Index of an object's material.\nint materialOf(int object)\n{\n    return ";
+    text +=
+        selectText(objects.size(), [&](std::size_t id) { return fmt::format("{}", objects[id].material); });
+    text += ";\n}\n\n// An object's KIND_.\nint kindOf(int object)\n{\n    return ";
+    text += selectText(objects.size(), [&](std::size_t id) { return fmt::format("{}", objects[id].kind); });
+    text += ";\n}\n\n// An object's geometry.\nShape shapeOf(int object)\n{\n    Shape shape;\n";
+    const std::pair<const char*, glm::dvec4 packed::Shape::*> fields[] = {
+        {"anchor", &packed::Shape::anchor},
+        {"axis", &packed::Shape::axis},
+        {"along_u", &packed::Shape::along_u},
+        {"along_v", &packed::Shape::along_v}};
+    for (const auto& [name, field] : fields)
+        text += fmt::format("    shape.{} = {};\n", name,
+                            selectText(objects.size(), [&, f = field](std::size_t id) {
+                                return literal(objects[id].shape.*f);
+                            }));
+    return text + "    return shape;\n}\n\n";
+}
+
+} // namespace
+
+std::string literal(double value)
+{
+    const auto text = fmt::format("{}", static_cast<float>(value));
+    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+std::string literal(const glm::dvec3& value)
+{
+    return fmt::format("vec3({}, {}, {})", literal(value.x), literal(value.y), literal(value.z));
+}
+
+std::string literal(const glm::dvec4& value)
+{
+    return fmt::format("vec4({}, {}, {}, {})", literal(value.x), literal(value.y), literal(value.z),
+                       literal(value.w));
+}
+
+std::string literalScene(const Scene& scene, const PackedScene& packed, const Plan& plan)
+{
+    return lookupText(packed) + nearestHitText(scene, packed) + lightThroughText(scene, packed, plan);
+}
+
+} // namespace dioptre

@@ -1,0 +1,23 @@
+// Numbers as GLSL literals, and the scene as straight-line code.
+#pragma once
+
+#include "kernel/packed_scene.h"
+#include "render/plan.h"
+
+#include <string>
+
+namespace dioptre
+{
+
+// The shortest literal that reads back as the nearest float: "0.1", "1e-05", "3.0".
+std::string literal(double value);
+
+// "vec3(0.0, 1.0, 0.5)", "vec4(...)".
+std::string literal(const glm::dvec3& value);
+std::string literal(const glm::dvec4& value);
+
+// nearestHit(), lightThrough(), shapeOf(), kindOf() and materialOf() with every object's geometry as
+// constants, one call of a kernel per object in the order of their ids.
+std::string literalScene(const Scene& scene, const PackedScene& packed, const Plan& plan);
+
+} // namespace dioptre

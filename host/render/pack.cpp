@@ -1,0 +1,192 @@
+#include "render/pack.h"
+
+#include "scene/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dioptre
+{
+namespace
+{
+
+using packed::vec4;
+
+double radians(double degrees)
+{
+    return degrees * std::numbers::pi / 180.0;
+}
+
+// Index of `value` in the plan's list; -1 where it is not there.
+template <typename Value>
+int indexIn(const std::vector<Value>& list, const Value& value)
+{
+    const auto found = std::find(list.begin(), list.end(), value);
+    return found == list.end() ? -1 : static_cast<int>(found - list.begin());
+}
+
+packed::Camera packCamera(const Scene& scene, const Plan& plan, const View& view, const glm::dvec3& origin)
+{
+    const auto& camera = scene.camera;
+    const glm::dmat3 frame = worldFromCamera(camera);
+    const double half = std::tan(0.5 * radians(camera.fovY_deg));
+    const int medium = camera.inside ? indexIn(plan.materials, *camera.inside) : -1;
+    packed::Camera result;
+    result.eye = vec4(camera.eye - origin, medium);
+    result.right = vec4(half * frame[0], 0.0);
+    result.up = vec4(half * frame[1], 0.0);
+    result.forward = vec4(-frame[2], 2.0 * half / view.height / std::sqrt(view.samples));
+    return result;
+}
+
+packed::Sky packSky(const Sky& sky)
+{
+    packed::Sky result{};
+    const double factor = std::exp2(sky.exposure);
+    glm::dvec3 colours[3] = {sky.colour, sky.colour, sky.colour};
+    if (sky.kind == Sky::Kind::gradient)
+        std::copy(sky.gradient.begin(), sky.gradient.end(), colours);
+    if (sky.kind == Sky::Kind::image)
+        std::fill(colours, colours + 3, glm::dvec3(1.0));
+    result.colour = vec4(factor * colours[0], 0.0);
+    result.horizon = vec4(factor * colours[1], 0.0);
+    result.zenith = vec4(factor * colours[2], 0.0);
+    const double turn = radians(sky.rotation_deg);
+    result.turn = vec4(std::cos(turn), std::sin(turn), sky.mirrorU ? -1.0 : 1.0, 0.0);
+    return result;
+}
+
+int modelOf(ReflectanceModel model)
+{
+    return model == ReflectanceModel::phong   ? packed::MODEL_PHONG
+           : model == ReflectanceModel::blinn ? packed::MODEL_BLINN
+                                              : packed::MODEL_LAMBERT;
+}
+
+// The interface's numbers for both ways through it, in double: the device never divides indices.
+vec4 bendingOf(double inside, double outside)
+{
+    const double entering = inside / outside;
+    const double leaving = outside / inside;
+    return vec4(leaving, entering, (entering - 1.0) * (entering + 1.0), (leaving - 1.0) * (leaving + 1.0));
+}
+
+packed::Material packMaterial(const Scene& scene, const Plan& plan, const Material& material)
+{
+    const Material air;
+    const Material& outside = material.outside ? scene.materials[*material.outside] : air;
+    const double passing = material.transmit * (1.0 - material.mirror);
+    const bool tints = material.shadow == ShadowKind::tinted && passing > 0.0;
+    const int shadow = material.shadow == ShadowKind::none ? packed::SHADOW_NONE
+                       : tints                             ? packed::SHADOW_TINTED
+                                                           : packed::SHADOW_OPAQUE;
+    const Checker checker = material.checker.value_or(Checker{{glm::dvec3(1.0), glm::dvec3(1.0)}, 0.0});
+    const bool hasAmbient = material.ambient.has_value();
+    packed::Material result;
+    result.colour =
+        vec4(material.colour, indexIn(plan.pictures, PictureUse{material.image, material.encoding}));
+    result.ambient = vec4(material.ambient.value_or(material.colour), hasAmbient ? 0.0 : 1.0);
+    result.specular = vec4(material.specular, material.shininess);
+    result.emission = vec4(material.emission, modelOf(material.model));
+    result.mirror = vec4(material.mirror * material.mirrorColour, material.mirror);
+    result.checker = vec4(checker.colours[1], checker.size);
+    result.checker_first = vec4(checker.colours[0], material.size);
+    result.bending = bendingOf(material.ior, outside.ior);
+    result.absorption =
+        vec4(material.absorption, material.outside ? indexIn(plan.materials, *material.outside) : -1);
+    result.shadow_tint = vec4(material.colour * passing, shadow);
+    // Where an object holds the medium around, its chord counts this one's too, and the difference is left. A
+    // medium that no object bounds counts on no shadow ray.
+    const bool bounded = material.outside && std::ranges::any_of(scene.objects, [&](const Object& object) {
+                             return object.material == *material.outside;
+                         });
+    result.shadow_absorption =
+        vec4(material.absorption - (bounded ? outside.absorption : glm::dvec3(0.0)), material.transmit);
+    return result;
+}
+
+packed::Light packLight(const Light& light, const glm::dvec3& origin)
+{
+    const int kind = light.kind == Light::Kind::directional ? packed::LIGHT_DIRECTIONAL
+                     : light.kind == Light::Kind::point     ? packed::LIGHT_POINT
+                                                            : packed::LIGHT_SPOT;
+    // Rounding may take a cosine below -1: a spot without a cone asks for less than that.
+    const double cutoffCosine = light.cutoff_deg >= 180.0 ? -2.0 : std::cos(radians(light.cutoff_deg));
+    packed::Light result;
+    result.position = vec4(light.position - origin, kind);
+    result.direction = vec4(light.direction, cutoffCosine);
+    // A directional light's ambient part comes from everywhere: pack() adds it to the scene's.
+    const bool everywhere = light.kind == Light::Kind::directional;
+    result.ambient = vec4(everywhere ? glm::dvec3(0.0) : light.ambient, light.exponent);
+    result.diffuse = vec4(light.diffuse, -1.0);
+    result.specular = vec4(light.specular, packed::NEAREST_LIGHT);
+    result.attenuation = vec4(light.attenuation, 0.0);
+    return result;
+}
+
+// A glowing sphere's light: E (r/d)^2 on a white surface that faces the centre, exact while the whole sphere
+// is in view.
+packed::Light packGlow(const Scene& scene, std::size_t object, const glm::dvec3& origin)
+{
+    const auto& sphere = std::get<Sphere>(scene.objects[object].primitive);
+    const auto& emission = scene.materials[scene.objects[object].material].emission;
+    packed::Light result{};
+    result.position = vec4(sphere.centre - origin, packed::LIGHT_POINT);
+    result.diffuse = vec4(emission, static_cast<double>(object));
+    result.specular = vec4(emission, sphere.radius);
+    result.attenuation = vec4(0.0, 0.0, 1.0 / (sphere.radius * sphere.radius), 0.0);
+    return result;
+}
+
+// Doubles reach further than the device's floats: what would become 0 or infinite there is refused here.
+void refuseBeyondFloat(const Object& object, const PackedObject& packedObject)
+{
+    const auto& shape = packedObject.shape;
+    bool fits = packedObject.kind == packed::KIND_PLANE || packedObject.kind >= packed::KIND_RECTANGLE ||
+                static_cast<float>(shape.anchor.w) > 0.0F;
+    for (const auto& row : {shape.anchor, shape.axis, shape.along_u, shape.along_v})
+        for (int i = 0; i < 4; ++i)
+            fits = fits && std::isfinite(static_cast<float>(row[i]));
+    if (!fits)
+        fail(ExitCode::badInput, object.where, "this object is too small or too large for single precision",
+             "scale the scene so that its lengths lie between 1e-30 and 1e30");
+}
+
+} // namespace
+
+glm::dvec3 sceneOrigin(const Scene& scene)
+{
+    const double reach = glm::distance(scene.camera.eye, scene.camera.target);
+    const double grid = std::exp2(std::round(std::log2(reach)) + 4.0);
+    return grid * glm::round(scene.camera.eye / grid);
+}
+
+PackedScene pack(const Scene& scene, const Plan& plan, const View& view)
+{
+    const glm::dvec3 origin = sceneOrigin(scene);
+    PackedScene result;
+    for (const auto& object : scene.objects) {
+        result.objects.push_back(packShape(object, origin));
+        refuseBeyondFloat(object, result.objects.back());
+        result.objects.back().material = indexIn(plan.materials, object.material);
+    }
+    for (const auto i : plan.materials)
+        result.materials.push_back(packMaterial(scene, plan, scene.materials[i]));
+    for (const auto i : plan.placedLights)
+        result.lights.push_back(packLight(scene.lights[i], origin));
+    for (const auto i : plan.glowing)
+        result.lights.push_back(packGlow(scene, i, origin));
+    for (const auto& light : scene.lights)
+        if (light.kind == Light::Kind::ambient || light.kind == Light::Kind::directional)
+            result.ambient += light.ambient;
+    result.camera = packCamera(scene, plan, view, origin);
+    result.sky = packSky(scene.sky);
+    result.tree = plan.tree;
+    result.budget = plan.budget;
+    result.depth = scene.trace.depth.value_or(result.depth);
+    result.poolSlots = plan.poolSlots;
+    return result;
+}
+
+} // namespace dioptre

@@ -1,0 +1,56 @@
+// What a scene needs and what it does not: the table from which the shader is assembled, and that --why
+// prints.
+#pragma once
+
+#include "kernel/packed_scene.h"
+#include "scene/scene.h"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace dioptre
+{
+
+// One part of the tracer, in or out, and the reason.
+struct Feature {
+    std::string name; // as --why prints it: "mirror"
+    bool in = false;
+    std::string reason;               // "material chrome", "no material transmits light"
+    std::vector<std::string> defines; // HAS_… names that the shader sources ask for when it is in
+};
+
+// A picture file and how its numbers are read.
+struct PictureUse {
+    std::string path;
+    Encoding encoding = Encoding::automatic;
+    bool operator==(const PictureUse&) const = default;
+};
+
+struct Plan {
+    std::vector<Feature> features;
+    std::set<std::string> defines; // of all features that are in
+    SceneForm form = SceneForm::literal;
+    RayTree tree = RayTree::single;
+    int poolSlots = 3;
+    int budget = 1;                        // rays a sample
+    std::vector<std::size_t> materials;    // those that objects or the camera use, in order
+    std::vector<std::size_t> placedLights; // directional, point and spot lights of Scene::lights that shine
+    std::vector<std::size_t> glowing;      // objects that light the scene
+    std::vector<PictureUse> pictures;      // those that are sampled, each once
+
+    const Feature& feature(const std::string& name) const; // must exist
+    bool has(const std::string& name) const
+    {
+        return feature(name).in;
+    }
+};
+
+// The scene as its light type shows it: unlit colours are one ambient light of 1 on the surface's own colour;
+// lights alone mean no ambient light and a black sky.
+Scene underLightType(Scene scene);
+
+// `scene` must have gone through underLightType().
+Plan makePlan(const Scene& scene);
+
+} // namespace dioptre

@@ -1,0 +1,153 @@
+#include "render/preprocess.h"
+
+#include "base/file.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace dioptre
+{
+namespace
+{
+
+// "include" and "\"a.glsl\"" of `  #include "a.glsl"`; nothing where the line is no directive.
+struct Directive {
+    std::string_view name;
+    std::string_view argument;
+};
+
+std::string_view trimmed(std::string_view text)
+{
+    const auto begin = text.find_first_not_of(" \t");
+    if (begin == std::string_view::npos)
+        return {};
+    return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+std::optional<Directive> directiveOf(std::string_view line)
+{
+    line = trimmed(line);
+    if (!line.starts_with('#'))
+        return std::nullopt;
+    line = trimmed(line.substr(1));
+    line = trimmed(line.substr(0, line.find("//")));
+    const auto end = std::min(line.find_first_of(" \t\"<"), line.size());
+    return Directive{line.substr(0, end), trimmed(line.substr(end))};
+}
+
+class Preprocessor
+{
+public:
+    explicit Preprocessor(const PreprocessInput& input) : input_(input) {}
+
+    void take(const SourceText& source)
+    {
+        const auto depth = conditions_.size();
+        for (const auto& line : source)
+            takeLine(line);
+        if (conditions_.size() != depth)
+            fail(ExitCode::badInput, conditions_.back().where, "this conditional has no #endif",
+                 "close it in the same file");
+    }
+
+    SourceText result() &&
+    {
+        return std::move(result_);
+    }
+
+private:
+    struct Condition {
+        bool ours;  // on a HAS_ name: resolved here
+        bool taken; // this branch is in the text
+        SourcePosition where;
+    };
+
+    void takeLine(const SourceLine& line)
+    {
+        const auto directive = directiveOf(line.text);
+        const SourcePosition where{line.file, line.line, 0};
+        if (directive &&
+            (directive->name == "ifdef" || directive->name == "ifndef" || directive->name == "if")) {
+            open(*directive, where, line);
+        } else if (directive && (directive->name == "else" || directive->name == "endif")) {
+            turn(*directive, where, line);
+        } else if (!emitting()) {
+            return;
+        } else if (directive && directive->name == "include") {
+            include(directive->argument, where);
+        } else {
+            result_.push_back(line);
+        }
+    }
+
+    void open(const Directive& directive, const SourcePosition& where, const SourceLine& line)
+    {
+        const bool ours = directive.argument.starts_with("HAS_") && directive.name != "if";
+        const bool present = input_.features.contains(std::string(directive.argument));
+        if (!ours && emitting())
+            result_.push_back(line);
+        conditions_.push_back({ours, !ours || present == (directive.name == "ifdef"), where});
+    }
+
+    void turn(const Directive& directive, const SourcePosition& where, const SourceLine& line)
+    {
+        if (conditions_.empty())
+            fail(ExitCode::badInput, where, "#" + std::string(directive.name) + " without #if", "remove it");
+        auto& condition = conditions_.back();
+        const bool ours = condition.ours;
+        if (directive.name == "endif")
+            conditions_.pop_back();
+        else if (ours)
+            condition.taken = !condition.taken;
+        if (!ours && emitting())
+            result_.push_back(line);
+    }
+
+    bool emitting() const
+    {
+        return std::all_of(conditions_.begin(), conditions_.end(), [](const auto& c) { return c.taken; });
+    }
+
+    void include(std::string_view argument, const SourcePosition& where)
+    {
+        if (argument.size() < 2 || argument.front() != '"' || argument.back() != '"')
+            fail(ExitCode::badInput, where, "#include wants a name in quotes",
+                 "write #include \"kernel/sphere.glsl\"");
+        const std::string name(argument.substr(1, argument.size() - 2));
+        if (std::find(open_.begin(), open_.end(), name) != open_.end())
+            fail(ExitCode::badInput, where, "\"" + name + "\" includes itself", "break the circle");
+        if (!included_.insert(name).second)
+            return;
+        open_.push_back(name);
+        take(contentOf(name, where));
+        open_.pop_back();
+    }
+
+    SourceText contentOf(const std::string& name, const SourcePosition& where) const
+    {
+        if (const auto found = input_.generated.find(name); found != input_.generated.end())
+            return found->second;
+        const auto path = input_.folder / name;
+        if (!std::filesystem::is_regular_file(path))
+            fail(ExitCode::inputMissing, where, "\"" + name + "\" is not in " + input_.folder.string(),
+                 "correct the name; it is relative to that folder");
+        return linesOf(readFile(path), path.string());
+    }
+
+    const PreprocessInput& input_;
+    SourceText result_;
+    std::vector<Condition> conditions_;
+    std::vector<std::string> open_; // includes that are being read, for cycles
+    std::set<std::string> included_;
+};
+
+} // namespace
+
+SourceText preprocess(const SourceText& source, const PreprocessInput& input)
+{
+    Preprocessor preprocessor(input);
+    preprocessor.take(source);
+    return std::move(preprocessor).result();
+}
+
+} // namespace dioptre

@@ -1,0 +1,25 @@
+// #include, and the conditionals that the plan decides, resolved by the host: what is out is not in the text.
+#pragma once
+
+#include "render/source_text.h"
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+
+namespace dioptre
+{
+
+struct PreprocessInput {
+    std::filesystem::path folder;                // that #include names are relative to
+    std::map<std::string, SourceText> generated; // includes that the assembler wrote itself, by name
+    std::set<std::string> features;              // names that #ifdef and #ifndef ask for
+};
+
+// Resolves every #include, and every #ifdef, #ifndef, #else, #endif on a name that begins with HAS_. Each
+// file is taken once; other directives are left for the driver. Throws badInput (cycles, unbalanced
+// conditionals), inputMissing.
+SourceText preprocess(const SourceText& source, const PreprocessInput& input);
+
+} // namespace dioptre

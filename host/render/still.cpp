@@ -1,0 +1,186 @@
+#include "render/still.h"
+
+#include "base/clock.h"
+#include "base/file.h"
+#include "gl/program.h"
+#include "gl/target.h"
+#include "render/build.h"
+#include "render/device_scene.h"
+#include "render/pack.h"
+#include "render/preprocess.h"
+#include "render/samples.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace dioptre
+{
+namespace
+{
+
+// The finite test by bits, as shaders and fast-math builds would need it; counts pixels that fail it.
+std::size_t countNonfinite(const Picture& picture)
+{
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < picture.floats.size(); i += 4) {
+        const auto bad = [&](std::size_t c) {
+            return (std::bit_cast<std::uint32_t>(picture.floats[i + c]) & 0x7F800000U) == 0x7F800000U;
+        };
+        count += bad(0) || bad(1) || bad(2) ? 1 : 0;
+    }
+    return count;
+}
+
+template <typename Map>
+std::vector<std::string> namesOf(const Map& map)
+{
+    std::vector<std::string> names;
+    for (const auto& [name, value] : map)
+        names.push_back(name);
+    return names;
+}
+
+void setSamples(const Program& program, const SampleBatch& batch)
+{
+    glUniform1i(locationOf(program, "u_sample_first"), batch.first);
+    glUniform1i(locationOf(program, "u_sample_count"), batch.count);
+}
+
+// Draws every batch of samples over every tile; tiles bound the time of a draw, batches its loop iterations.
+void drawAll(const Program& program, const AccumulationTarget& target,
+             const std::vector<SampleBatch>& batches, const std::function<void(double)>& progress)
+{
+    constexpr int tile_px = 512;
+    const int columns = (target.width + tile_px - 1) / tile_px;
+    const int rows = (target.height + tile_px - 1) / tile_px;
+    const double total = static_cast<double>(batches.size()) * columns * rows;
+    double done = 0.0;
+    for (const auto& batch : batches) {
+        setSamples(program, batch);
+        for (int y = 0; y < target.height; y += tile_px) {
+            for (int x = 0; x < target.width; x += tile_px) {
+                drawAdding(target, x, y, std::min(tile_px, target.width - x),
+                           std::min(tile_px, target.height - y));
+                if (progress) {
+                    glFinish();
+                    progress(++done / total);
+                }
+            }
+        }
+    }
+    glFinish();
+}
+
+// A #version line that names no other language than ours is left out: the host writes its own first line.
+SourceText withoutVersion(SourceText source)
+{
+    for (auto& line : source) {
+        if (line.text.find("#version") != 0)
+            continue;
+        if (line.text.find("330") == std::string::npos)
+            fail(ExitCode::badInput, {line.file, line.line, 1},
+                 "'" + line.text + "' is not the version that dioptre runs",
+                 "write #version 330 core, or no such line");
+        line.text.clear();
+    }
+    return source;
+}
+
+} // namespace
+
+void finish(Still& still, float scale, double raysScale)
+{
+    double rays = 0.0;
+    auto& values = still.picture.floats;
+    for (std::size_t i = 0; i < values.size(); i += 4) {
+        for (std::size_t c = 0; c < 3; ++c)
+            values[i + c] *= scale;
+        rays += static_cast<double>(values[i + 3]);
+        values[i + 3] = 1.0F;
+    }
+    still.raysPerSample = rays * raysScale / (static_cast<double>(values.size()) / 4.0);
+    still.nonfinite = countNonfinite(still.picture);
+}
+
+PreparedScene prepare(const Scene& scene, const StillSettings& settings)
+{
+    PreparedScene prepared;
+    prepared.scene = underLightType(scene);
+    prepared.plan = makePlan(prepared.scene);
+    prepared.packed = pack(prepared.scene, prepared.plan, View{settings.height, settings.samples});
+    loadPictures(prepared.scene, prepared.plan, prepared.packed);
+    setCutOff(prepared.scene, prepared.plan, prepared.packed);
+    return prepared;
+}
+
+Still renderScene(const PreparedScene& prepared, const StillSettings& settings, const ContextInfo& context)
+{
+    const auto& [scene, plan, packed] = prepared;
+    Still still;
+    Stopwatch watch;
+    const auto batches = sampleBatches(settings.samples, loopIterations(plan, packed), context.software);
+    still.shader = assemble(scene, plan, packed, settings.glslFolder);
+    const DeviceScene device = upload(packed, plan);
+    const auto target = makeAccumulationTarget(settings.width, settings.height);
+    still.phases.load = watch.lap_ms();
+
+    const Program program = buildProgram(still.shader);
+    checkInterface(program, device, plan);
+    still.phases.compile = watch.lap_ms();
+
+    bind(program, device, packed, settings.width, settings.height);
+    setSamples(program, {0, 0}); // adds nothing, yet makes the driver compile
+    drawAdding(target, 0, 0, 1, 1);
+    glFinish();
+    still.phases.firstDraw = watch.lap_ms();
+
+    drawAll(program, target, batches, settings.progress);
+    still.phases.draw = watch.lap_ms();
+    still.picture = readBack(target);
+    finish(still, 1.0F / static_cast<float>(settings.samples), 1.0 / settings.samples);
+    still.phases.read = watch.lap_ms();
+
+    still.textureBytes = device.textureBytes;
+    for (const auto& texture : device.textures)
+        still.textures.push_back(texture.uniform);
+    still.uniforms = namesOf(program.uniforms);
+    still.blocks = namesOf(program.uniformBlocks);
+    return still;
+}
+
+Still renderPlain(const std::filesystem::path& shader, const StillSettings& settings)
+{
+    Still still;
+    Stopwatch watch;
+    PreprocessInput input;
+    input.folder = settings.glslFolder;
+    SourceText body = preprocess(withoutVersion(linesOf(readFile(shader), shader.string())), input);
+    still.shader = linesOf("#version 330 core", "generated");
+    still.shader.insert(still.shader.end(), body.begin(), body.end());
+    const auto target = makeAccumulationTarget(settings.width, settings.height);
+    still.phases.load = watch.lap_ms();
+
+    const Program program = buildProgram(still.shader);
+    still.phases.compile = watch.lap_ms();
+    glUseProgram(program.name.name());
+    for (const auto& [name, location] : program.uniforms) {
+        if (name == "u_resolution")
+            glUniform2f(location, static_cast<float>(settings.width), static_cast<float>(settings.height));
+        else if (name == "u_time")
+            glUniform1f(location, 0.0F);
+        else
+            fail(ExitCode::badInput, {shader.string(), 0, 0}, "nothing feeds the uniform " + name,
+                 "a plain shader is fed u_resolution and u_time");
+    }
+    drawAdding(target, 0, 0, settings.width, settings.height);
+    glFinish();
+    still.phases.draw = watch.lap_ms();
+    still.picture = readBack(target);
+    still.nonfinite = countNonfinite(still.picture);
+    still.phases.read = watch.lap_ms();
+    still.uniforms = namesOf(program.uniforms);
+    return still;
+}
+
+} // namespace dioptre

@@ -1,0 +1,67 @@
+// From a scene or a plain shader to a picture, with the time of each step.
+#pragma once
+
+#include "base/picture.h"
+#include "gl/context.h"
+#include "render/assemble.h"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace dioptre
+{
+
+struct StillSettings {
+    int width = 1280; // pixels
+    int height = 720; // pixels
+    int samples = 16; // a pixel
+    std::filesystem::path glslFolder;
+    std::function<void(double)> progress; // told the share that is drawn, 0..1; may be empty
+};
+
+// Milliseconds by a monotonic clock; a draw is over when glFinish returns.
+struct Phases {
+    double context = 0.0;
+    double load = 0.0;      // scene and pictures, plan, assembly, upload
+    double compile = 0.0;   // compile and link
+    double firstDraw = 0.0; // one pixel: drivers compile here
+    double draw = 0.0;      // all samples of all pixels
+    double read = 0.0;      // back to memory
+    double write = 0.0;     // encode and write the file
+};
+
+struct Still {
+    Picture picture; // float32, mean of the samples, rows from the bottom up; a scene's alpha is 1
+    double raysPerSample = 0.0;
+    std::size_t nonfinite = 0; // pixels with a channel that is NaN or infinite
+    Phases phases;
+    SourceText shader;
+    std::size_t textureBytes = 0;
+    std::vector<std::string> textures; // sampler uniforms in use
+    std::vector<std::string> uniforms; // active, outside blocks
+    std::vector<std::string> blocks;   // active uniform blocks
+};
+
+// A scene that is loaded, planned and packed for a size.
+struct PreparedScene {
+    Scene scene; // under its light type
+    Plan plan;
+    PackedScene packed;
+};
+PreparedScene prepare(const Scene& scene, const StillSettings& settings);
+
+// Draws on the current context. Throws badInput with the author's file and line when the shader does not
+// compile.
+Still renderScene(const PreparedScene& prepared, const StillSettings& settings, const ContextInfo& context);
+
+// Turns the rays counted in alpha into raysPerSample, alpha into 1, and counts pixels that are not finite.
+// The colours are multiplied by `scale`.
+void finish(Still& still, float scale, double raysScale);
+
+// A plain fragment shader with its own main(): one sample a pixel, no decoding and no encoding. u_resolution
+// and u_time = 0 are fed where declared.
+Still renderPlain(const std::filesystem::path& shader, const StillSettings& settings);
+
+} // namespace dioptre

@@ -1,0 +1,23 @@
+// From a TOML file to a Scene, or an error that names file, line, column and the mend.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace dioptre
+{
+
+// Reads and checks a scene. `overrides` are the "path=value" of --set, applied in order before the checks:
+// the path is a table's ("trace.form", "camera.fov_y_deg", "material.glass.ior", "light.0.diffuse",
+// "sphere.2.radius") or starts with an object's name ("ball.centre"); the value is TOML, or a bare word taken
+// as a string. Throws badInput, inputMissing.
+Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+
+// The same from text; `path` is for messages and for the folder that picture names are relative to.
+Scene parseScene(const std::string& text, const std::filesystem::path& path,
+                 const std::vector<std::string>& overrides = {});
+
+} // namespace dioptre

@@ -1,0 +1,149 @@
+// A scene as its author wrote it: doubles, metres, linear colours; degrees only where the name says so.
+#pragma once
+
+#include "base/error.h"
+#include "base/picture.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace dioptre
+{
+
+// The eye. Right-handed, y up, looking along -z at rest, as OpenGL, GLM and glTF.
+struct Camera {
+    glm::dvec3 eye{0.0, 1.6, 5.0};
+    glm::dvec3 target{0.0, 0.0, 0.0};
+    double fovY_deg = 42.0;
+    std::optional<std::size_t> inside; // index of the material whose medium the eye is in
+};
+
+// What a ray sees that leaves the scene. One of colour, gradient, image; colour (0,0,0) where nothing is
+// said.
+struct Sky {
+    enum class Kind { colour, gradient, image };
+    Kind kind = Kind::colour;
+    glm::dvec3 colour{0.0};
+    std::vector<glm::dvec3> gradient; // three: nadir, horizon, zenith; mixed by |sine of the elevation|
+    std::string image;                // path, resolved against the scene's folder
+    Encoding encoding = Encoding::automatic;
+    double rotation_deg = 0.0; // turns the picture about +y, counter-clockwise seen from above
+    bool mirrorU = false;      // the picture's u runs the other way
+    double exposure = 0.0;     // stops: radiance is multiplied by 2^exposure
+};
+
+enum class TreeOrder { heaviestFirst, breadthFirst };
+enum class SceneForm { literal, loop };
+
+// 0: unlit colours, mirrors stay. 1: lights and ambient. 2: lights only: no ambient, black sky.
+enum class LightType { unlit = 0, lit = 1, lightsOnly = 2 };
+
+struct Trace {
+    std::optional<int> budget; // rays a sample, the eye ray included; the plan's default where unset
+    std::optional<int> depth;  // most bounces of a path; unbounded where unset
+    double cutOff = 1.0 / 512.0;
+    TreeOrder order = TreeOrder::heaviestFirst;
+    SceneForm form = SceneForm::literal;
+    LightType lightType = LightType::lit;
+};
+
+enum class ReflectanceModel { lambert, phong, blinn };
+enum class ShadowKind { opaque, tinted, none };
+
+struct Checker {
+    glm::dvec3 colours[2]; // an even floor(u/size) + floor(v/size) takes the first
+    double size = 1.0;     // metres
+};
+
+// out = emission + (1-mirror)(1-transmit) local + mirror mirrorColour reflected
+//     + (1-mirror) transmit (R reflected + T refracted)
+struct Material {
+    std::string name;
+    glm::dvec3 colour{1.0};
+    std::string image; // path, resolved; "" for none; multiplies colour
+    Encoding encoding = Encoding::automatic;
+    std::optional<Checker> checker; // multiplies colour
+    double size = 1.0;              // metres a picture spans on a plane before it repeats
+    ReflectanceModel model = ReflectanceModel::lambert;
+    std::optional<glm::dvec3> ambient; // reflectance for ambient light; the surface's colour where unset
+    glm::dvec3 specular{0.0};
+    double shininess = 32.0; // Phong (V.R)^s, Blinn (N.H)^4s
+    double mirror = 0.0;     // 0..1
+    glm::dvec3 mirrorColour{1.0};
+    double transmit = 0.0; // 0..1
+    double ior = 1.0;
+    std::optional<std::size_t> outside;     // index of the medium on the other side; air where unset
+    glm::dvec3 absorption{0.0};             // per metre
+    glm::dvec3 emission{0.0};               // radiance
+    bool light = false;                     // its spheres also light the scene from their centres
+    ShadowKind shadow = ShadowKind::opaque; // tinted by default where transmit > 0
+};
+
+// A light's colours are the radiance that a white Lambertian surface shows head-on at attenuation 1.
+struct Light {
+    enum class Kind { ambient, directional, point, spot };
+    Kind kind = Kind::point;
+    glm::dvec3 position{0.0};
+    glm::dvec3 direction{0.0, -1.0, 0.0}; // along which the light travels; unit
+    glm::dvec3 ambient{0.0};
+    glm::dvec3 diffuse{1.0};
+    glm::dvec3 specular{1.0};              // = diffuse where unset
+    glm::dvec3 attenuation{1.0, 0.0, 0.0}; // constant, linear, quadratic
+    double cutoff_deg = 180.0;             // half-angle of a spot's cone
+    double exponent = 0.0;                 // (cos)^exponent inside the cone
+};
+
+struct Sphere {
+    glm::dvec3 centre{0.0};
+    double radius = 1.0;
+};
+struct Cylinder {
+    glm::dvec3 base{0.0};
+    glm::dvec3 axis{0.0, 1.0, 0.0}; // its length is the height
+    double radius = 1.0;
+    bool capped = false;
+};
+struct Plane {
+    glm::dvec3 point{0.0};
+    glm::dvec3 normal{0.0, 1.0, 0.0}; // any length
+};
+struct Disk {
+    glm::dvec3 centre{0.0};
+    glm::dvec3 normal{0.0, 1.0, 0.0};
+    double radius = 1.0;
+};
+struct Rectangle {
+    glm::dvec3 corner{0.0};
+    glm::dvec3 edgeU{1.0, 0.0, 0.0};
+    glm::dvec3 edgeV{0.0, 1.0, 0.0};
+};
+struct Triangle {
+    glm::dvec3 a{0.0}, b{0.0}, c{0.0};
+};
+
+using Primitive = std::variant<Sphere, Cylinder, Plane, Disk, Rectangle, Triangle>;
+
+struct Object {
+    std::string name; // "" where unset
+    Primitive primitive;
+    std::size_t material = 0;       // index into Scene::materials
+    double rotateTexture_deg = 0.0; // turns surface coordinates about the normal or the axis
+    SourcePosition where;
+};
+
+struct Scene {
+    std::string path; // of the file
+    std::string title;
+    Camera camera;
+    Sky sky;
+    Trace trace;
+    std::vector<Material> materials; // in file order
+    std::vector<Light> lights;       // in file order
+    std::vector<Object> objects;     // in file order: the index is the object's id
+};
+
+} // namespace dioptre
