@@ -1,0 +1,192 @@
+// Bad input ends with a message that names the place and the mend, the right exit code, and no picture.
+#include "support/process.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+using dioptre::test::run;
+
+namespace
+{
+
+struct Case {
+    std::string name;
+    std::string setUp;   // shell commands, in an empty folder
+    std::string command; // what the user types
+    int code;
+    std::vector<std::string> says; // on standard error
+};
+
+void PrintTo(const Case& refused, std::ostream* stream)
+{
+    *stream << refused.command;
+}
+
+// A scene file of the given text.
+std::string scene(const std::string& text)
+{
+    return "printf '" + text + "' >bad.toml";
+}
+
+const std::string small = " --size 16x9 --spp 1 -o a.png";
+const std::string renderBad = "dioptre render bad.toml" + small;
+
+const std::vector<Case> cases = {
+    {"NoCommand", "", "dioptre", 2, {"subcommand", "--help"}},
+    {"UnknownCommand", "", "dioptre rendr still_life", 2, {"rendr"}},
+    {"UnknownOption", "", "dioptre render still_life --sise 16x9 -o a.png", 2, {"--sise", "--help"}},
+    {"SizeOfNonsense", "", "dioptre render still_life --size 16by9 -o a.png", 2, {"16by9", "WIDTHxHEIGHT"}},
+    {"SizeOfZero", "", "dioptre render still_life --size 0x9 -o a.png", 2, {"0x9"}},
+    {"SizeBeyondOneDraw", "", "dioptre render still_life --size 99999x9 -o a.png", 2, {"99999x9", "16384"}},
+    {"NoSamples", "", "dioptre render still_life --spp 0 -o a.png", 2, {"--spp"}},
+    {"UnknownBackend", "", "dioptre render still_life --backend vulkan -o a.png", 2, {"vulkan", "osmesa"}},
+    {"UnknownPictureKind", "", "dioptre render still_life --size 16x9 -o a.gif", 2, {"a.gif", ".png"}},
+    {"HalfOfAPng", "", "dioptre render still_life --half" + small, 2, {"--half", ".exr"}},
+    {"SetOnAPlainShader",
+     "printf 'out vec4 o;\\nvoid main()\\n{\\n    o = vec4(1.0);\\n}\\n' >p.frag",
+     "dioptre render p.frag --set trace.form=loop" + small,
+     2,
+     {"p.frag", "--set"}},
+    {"UnknownScene", "", "dioptre render stil_life" + small, 66, {"stil_life", "did you mean 'still_life'"}},
+    {"MissingFile", "", "dioptre render nowhere.toml" + small, 66, {"nowhere.toml"}},
+    {"TomlSyntax", scene("[camera]\\neye = [0, 0\\n"), renderBad, 65, {"bad.toml:"}},
+    {"UnknownKey",
+     scene("[camera]\\neye = [0,0,5]\\nfov = 3\\n"),
+     renderBad,
+     65,
+     {"bad.toml:3:1", "fov", "fov_y_deg"}},
+    {"WrongType", scene("[camera]\\neye = \"here\"\\n"), renderBad, 65, {"bad.toml:2:7", "eye"}},
+    {"MissingMaterial",
+     scene("[[sphere]]\\ncentre=[0,0,0]\\nradius=1\\nmaterial=\"glas\"\\n[material.glass]\\nior=1.5\\n"),
+     renderBad,
+     65,
+     {"bad.toml:4:10", "glas", "did you mean 'glass'"}},
+    {"ZeroRadius",
+     scene("[[sphere]]\\ncentre=[0,0,0]\\nradius=0\\n"),
+     renderBad,
+     65,
+     {"bad.toml:3:8", "radius"}},
+    {"ZeroAxis",
+     scene("[[cylinder]]\\nbase=[0,0,0]\\naxis=[0,0,0]\\nradius=1\\n"),
+     renderBad,
+     65,
+     {"bad.toml:3:6", "axis"}},
+    {"CollinearTriangle",
+     scene("[[triangle]]\\na=[0,0,0]\\nb=[1,1,1]\\nc=[2,2,2]\\n"),
+     renderBad,
+     65,
+     {"bad.toml:", "line"}},
+    {"NaN", scene("[[sphere]]\\ncentre=[0,nan,0]\\nradius=1\\n"), renderBad, 65, {"bad.toml:2:", "nan"}},
+    {"MissingPicture",
+     scene("[material.m]\\nimage=\"none.png\"\\n"),
+     renderBad,
+     66,
+     {"bad.toml:2:", "none.png"}},
+    {"BrokenPicture",
+     "printf 'not a picture' >b.png; " +
+         scene("[material.m]\\nimage=\"b.png\"\\n[[light]]\\nkind=\"ambient\"\\nambient=[1,1,1]\\n"
+               "[[sphere]]\\ncentre=[0,0,0]\\nradius=1\\nmaterial=\"m\"\\n"),
+     renderBad,
+     65,
+     {"b.png"}},
+    {"PictureWithANaN",
+     "printf 'uniform vec2 u_resolution;\\nout vec4 o;\\nvoid main()\\n{\\n    o = "
+     "vec4(sqrt(-u_resolution.x));\\n}\\n' >n.frag; "
+     "dioptre render n.frag --size 4x2 -o n.exr 2>/dev/null; " +
+         scene("[sky]\\nimage=\"n.exr\"\\n"),
+     renderBad,
+     65,
+     {"n.exr", "not a number"}},
+    {"RadiusBelowFloat",
+     scene("[[sphere]]\\ncentre=[0,0,0]\\nradius=1e-60\\n"),
+     renderBad,
+     65,
+     {"bad.toml:1", "single precision"}},
+    {"EdgeBelowFloat",
+     scene("[[rectangle]]\\ncorner=[0,0,0]\\nedge_u=[1e-100,0,0]\\nedge_v=[0,1,0]\\n"),
+     renderBad,
+     65,
+     {"bad.toml:1", "single precision"}},
+    {"PlainShaderOfAnotherVersion",
+     "printf '#version 460\\nout vec4 o;\\nvoid main()\\n{\\n    o = vec4(1.0);\\n}\\n' >p.frag",
+     "dioptre render p.frag" + small,
+     65,
+     {"p.frag:1", "330"}},
+    {"TruncatedPicture",
+     "dioptre render still_life --size 64x64 --spp 1 -o whole.png 2>/dev/null; head -c 900 whole.png >b.png; "
+     "rm whole.png; " +
+         scene("[sky]\\nimage=\"b.png\"\\n"),
+     renderBad,
+     65,
+     {"b.png"}},
+    {"OverrideOfNothing",
+     "",
+     "dioptre render still_life --set trace.frm=loop" + small,
+     65,
+     {"--set trace.frm=loop", "form"}},
+    {"OverrideWithoutValue", "", "dioptre render still_life --set trace.form" + small, 2, {"trace.form"}},
+    {"NoSuchFolder", "", "dioptre render still_life --size 16x9 --spp 1 -o no/such/a.png", 73, {"no/such"}},
+    {"OutputIsAFolder", "mkdir a.png", "dioptre render still_life" + small, 73, {"a.png"}},
+    {"NoOpenGl",
+     "",
+     "LIBGL_DRIVERS_PATH=/nowhere __EGL_VENDOR_LIBRARY_DIRS=/nowhere dioptre render still_life --backend "
+     "egl" +
+         small,
+     69,
+     {"egl-surfaceless", "egl-device", "egl-default"}},
+    {"EditedShaderBreaks",
+     "cp -r \"$SOURCES/glsl\" g; ln -s \"$SOURCES/textures\" textures; echo 'float broken( {' "
+     ">>g/trace/sky.glsl; export DIOPTRE_GLSL=$PWD/g",
+     "dioptre render still_life" + small,
+     65,
+     {"sky.glsl:"}},
+    {"ReferenceOfAnEditedShader",
+     "cp -r \"$SOURCES/glsl\" g; ln -s \"$SOURCES/textures\" textures; echo '// edited' >>g/trace/sky.glsl; "
+     "export DIOPTRE_GLSL=$PWD/g",
+     "dioptre render still_life --reference" + small,
+     65,
+     {"edited", "build again"}},
+    {"PlainShaderWithASyntaxError",
+     "printf 'out vec4 o;\\nvoid main()\\n{\\n    o = vec4(1.0;\\n}\\n' >p.frag",
+     "dioptre render p.frag" + small,
+     65,
+     {"p.frag:4"}},
+    {"PlainShaderWithAStrayUniform",
+     "printf 'uniform float u_x;\\nout vec4 o;\\nvoid main()\\n{\\n    o = vec4(u_x);\\n}\\n' >p.frag",
+     "dioptre render p.frag" + small,
+     65,
+     {"u_x"}},
+    {"PlainShaderWithoutItsInclude",
+     "printf '#include \"none.glsl\"\\nout vec4 o;\\nvoid main()\\n{\\n    o = vec4(1.0);\\n}\\n' >p.frag",
+     "dioptre render p.frag" + small,
+     66,
+     {"p.frag:1", "none.glsl"}},
+};
+
+class Refusal : public testing::TestWithParam<Case>
+{
+};
+
+} // namespace
+
+INSTANTIATE_TEST_SUITE_P(Cases, Refusal, testing::ValuesIn(cases),
+                         [](const auto& info) { return info.param.name; });
+
+TEST_P(Refusal, NamesPlaceAndMend_LeavesNothing)
+{
+    const auto& refused = GetParam();
+    const auto outcome =
+        run("cd $(mktemp -d); trap 'rm -rf \"$PWD\"' EXIT; SOURCES='" DIOPTRE_SOURCE_DIR "'; " +
+            (refused.setUp.empty() ? std::string(":") : refused.setUp) + "\nls -A >before 2>/dev/null; " +
+            refused.command + "\ncode=$?\nls -A | diff - before >&2; exit $code");
+    EXPECT_EQ(outcome.code, refused.code) << outcome.error;
+    EXPECT_EQ(outcome.out, "");
+    for (const auto& fragment : refused.says)
+        EXPECT_NE(outcome.error.find(fragment), std::string::npos)
+            << "'" << fragment << "' not in: " << outcome.error;
+    // diff prints "<" or ">" lines where a file appeared or went.
+    EXPECT_EQ(outcome.error.find("\n< "), std::string::npos) << outcome.error;
+    EXPECT_EQ(outcome.error.find("\n> "), std::string::npos) << outcome.error;
+}

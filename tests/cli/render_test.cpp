@@ -1,0 +1,176 @@
+// The command as a user types it.
+#include "support/compare.h"
+#include "support/process.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+using namespace dioptre;
+using dioptre::test::run;
+
+namespace
+{
+
+// Runs in a folder of its own, which the test removes.
+class InAFolder : public testing::Test
+{
+protected:
+    InAFolder()
+    {
+        std::string pattern = "/tmp/dioptre-render-" + std::string(6, 'X');
+        folder = mkdtemp(pattern.data());
+    }
+    ~InAFolder() override
+    {
+        std::filesystem::remove_all(folder);
+    }
+    test::Outcome here(const std::string& command) const
+    {
+        return run("cd '" + folder.string() + "' && " + command);
+    }
+
+    std::filesystem::path folder;
+};
+
+using RenderCommand = InAFolder;
+
+} // namespace
+
+TEST_F(RenderCommand, GalleryScene_BecomesAPngOfTheAskedSize)
+{
+    const auto outcome = here("dioptre render still_life --size 32x18 --spp 1 -o a.png");
+    ASSERT_EQ(outcome.code, 0) << outcome.error;
+    EXPECT_EQ(outcome.out, "");
+    const auto picture = readPicture(folder / "a.png");
+    EXPECT_EQ(picture.width, 32);
+    EXPECT_EQ(picture.height, 18);
+}
+
+TEST_F(RenderCommand, WithoutOutput_NamesThePictureAfterTheScene)
+{
+    EXPECT_EQ(here("dioptre render cylinders --size 16x9 --spp 1").code, 0);
+    EXPECT_TRUE(std::filesystem::exists(folder / "cylinders.png"));
+}
+
+TEST_F(RenderCommand, TwoRuns_GiveTheSameBytes)
+{
+    ASSERT_EQ(here("dioptre render still_life --size 64x36 --spp 2 -o a.png && dioptre render still_life "
+                   "--size 64x36 --spp 2 "
+                   "-o b.png && cmp a.png b.png")
+                  .code,
+              0);
+}
+
+TEST_F(RenderCommand, Png_CarriesItsSettings)
+{
+    const auto outcome = here("dioptre render still_life --size 16x9 --spp 3 --set trace.form=loop --budget "
+                              "5 -o a.png && strings a.png");
+    for (const char* text :
+         {"dioptre.spp", "dioptre.backend", "egl-surfaceless", "trace.form=loop", "trace.budget=5", "16x9"})
+        EXPECT_NE(outcome.out.find(text), std::string::npos) << text;
+}
+
+TEST_F(RenderCommand, EachSet_TakesOneValue_WhereverItStands)
+{
+    const auto outcome =
+        here("dioptre render --set trace.form=loop --set trace.budget=2 still_life --size 16x9 --spp 1 --why "
+             "-o a.png");
+    ASSERT_EQ(outcome.code, 0) << outcome.error;
+    EXPECT_NE(outcome.out.find("in   geometry table"), std::string::npos);
+    EXPECT_NE(outcome.out.find("budget    2 rays"), std::string::npos);
+}
+
+TEST_F(RenderCommand, PlainShader_MayNameItsVersion)
+{
+    EXPECT_EQ(here("printf '#version 330 core\\nout vec4 o;\\nvoid main()\\n{\\n    o = vec4(1.0);\\n}\\n' "
+                   ">p.frag && "
+                   "dioptre render p.frag --size 4x2 -o p.png")
+                  .code,
+              0);
+}
+
+TEST_F(RenderCommand, Exr_HoldsTheLinearRadianceOfThePng)
+{
+    ASSERT_EQ(here("dioptre render still_life --size 64x36 --spp 2 -o a.png && dioptre render still_life "
+                   "--size 64x36 --spp 2 "
+                   "-o a.exr")
+                  .code,
+              0);
+    const auto exr = readPicture(folder / "a.exr");
+    ASSERT_EQ(exr.format, PixelFormat::float32);
+    // Encoding the EXR's numbers gives the PNG's bytes exactly: one function encodes both.
+    EXPECT_EQ(test::compareEncoded(exr, test::decoded(readPicture(folder / "a.png")), 0.5).over, 0U);
+    EXPECT_GT(*std::max_element(exr.floats.begin(), exr.floats.end()), 1.0F)
+        << "radiance above white is kept";
+}
+
+TEST_F(RenderCommand, Budget_ChangesWhatIsTraced)
+{
+    const auto few = nlohmann::json::parse(
+        here("dioptre render glass --size 64x36 --spp 1 --budget 2 --json -o a.png").out);
+    const auto many = nlohmann::json::parse(
+        here("dioptre render glass --size 64x36 --spp 1 --budget 32 --json -o a.png").out);
+    EXPECT_LE(few["rays_per_pixel"], 2.0);
+    EXPECT_GT(many["rays_per_pixel"], few["rays_per_pixel"]);
+}
+
+TEST_F(RenderCommand, Json_HoldsEveryFigure)
+{
+    const auto outcome = here("dioptre render still_life --size 48x27 --spp 2 --json -o a.png");
+    ASSERT_EQ(outcome.code, 0) << outcome.error;
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(json["size"], nlohmann::json({48, 27}));
+    EXPECT_EQ(json["samples"], 2);
+    EXPECT_EQ(json["backend"], "egl-surfaceless");
+    for (const char* phase : {"context", "load", "compile", "first_draw", "draw", "read", "write"})
+        EXPECT_GT(json["phases_ms"][phase].get<double>(), 0.0) << phase;
+    EXPECT_GT(json["rays_per_pixel"], 2.0);
+    EXPECT_EQ(json["nonfinite_pixels"], 0);
+}
+
+TEST_F(RenderCommand, Why_TellsWhatIsInAndOutAndWhy)
+{
+    const auto out = here("dioptre render cylinders --size 16x9 --spp 1 --why -o a.png").out;
+    for (const char* text :
+         {"in   open cylinder", "out  triangle", "no such object", "shader ", "compile ", "first draw"})
+        EXPECT_NE(out.find(text), std::string::npos) << text << " not in\n" << out;
+}
+
+TEST_F(RenderCommand, OsMesa_IsNamedWhereItRan)
+{
+    const auto outcome = here("dioptre render still_life --size 16x9 --spp 1 --backend osmesa -o a.png");
+    EXPECT_EQ(outcome.code, 0) << outcome.error;
+    EXPECT_NE(outcome.error.find("osmesa"), std::string::npos) << outcome.error;
+}
+
+TEST_F(RenderCommand, WithoutEglDrivers_AutoFallsBackToOsMesa)
+{
+    const auto outcome =
+        here("__EGL_VENDOR_LIBRARY_DIRS=/nowhere dioptre render still_life --size 16x9 --spp 1 -o a.png");
+    EXPECT_EQ(outcome.code, 0) << outcome.error;
+    EXPECT_NE(outcome.error.find("osmesa"), std::string::npos) << outcome.error;
+}
+
+TEST_F(RenderCommand, Reference_DrawsTheSceneWithoutOpenGl)
+{
+    const auto outcome =
+        here("dioptre render still_life --size 32x18 --spp 1 -o a.exr && LIBGL_DRIVERS_PATH=/nowhere "
+             "dioptre render still_life --size 32x18 --spp 1 --reference -o b.exr");
+    ASSERT_EQ(outcome.code, 0) << outcome.error;
+    EXPECT_LT(test::compare(readPicture(folder / "a.exr"), readPicture(folder / "b.exr"), 0.01).rmse, 0.01);
+}
+
+TEST_F(RenderCommand, PlainShader_IsDrawnUnencodedAndUpright)
+{
+    // Red grows to the right, green upwards.
+    const auto outcome = here("printf 'uniform vec2 u_resolution;\\nout vec4 o;\\nvoid main()\\n{\\n    o = "
+                              "vec4(gl_FragCoord.xy / u_resolution, 0.0, 1.0);\\n}\\n' >p.frag && "
+                              "dioptre render p.frag --size 4x2 -o p.png");
+    ASSERT_EQ(outcome.code, 0) << outcome.error;
+    const auto picture = readPicture(folder / "p.png");
+    // Row 0 is the bottom; (0.5/4, 0.5/2) of 255, rounded.
+    EXPECT_EQ(picture.bytes[0], 32);
+    EXPECT_EQ(picture.bytes[1], 64);
+    EXPECT_EQ(picture.bytes[4 * 7], 223);
+    EXPECT_EQ(picture.bytes[(4 * 7) + 1], 191);
+}

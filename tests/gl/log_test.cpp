@@ -1,0 +1,91 @@
+#include "gl/program.h"
+
+#include <gtest/gtest.h>
+
+namespace dioptre
+{
+
+// For the messages of failed tests.
+static bool operator==(const LogMessage& a, const LogMessage& b)
+{
+    return a.line == b.line && a.text == b.text;
+}
+
+static void PrintTo(const LogMessage& message, std::ostream* out)
+{
+    *out << message.line << " | " << message.text;
+}
+
+namespace
+{
+
+using Messages = std::vector<LogMessage>;
+
+// Mesa 22.3.6, llvmpipe: source:line(column).
+TEST(Log, Mesa_LineIsTheSecondNumber)
+{
+    EXPECT_EQ(parseLog("0:12(11): error: `foo' undeclared\n"
+                       "0:9(1): warning: `x' used uninitialized\n"
+                       "0:120(34): preprocessor error: Undefined macro A: in expression\n"),
+              (Messages{{12, "error: `foo' undeclared"},
+                        {9, "warning: `x' used uninitialized"},
+                        {120, "preprocessor error: Undefined macro A: in expression"}}));
+}
+
+// NVIDIA 470 and later: source(line), with a terminating NUL that the driver counts.
+TEST(Log, Nvidia_LineIsInTheBrackets)
+{
+    EXPECT_EQ(parseLog(std::string("0(12) : error C1503: undefined variable \"foo\"\n"
+                                   "0(3) : warning C7022: unrecognized profile specifier \"a\"\n\0",
+                                   105)),
+              (Messages{{12, "error C1503: undefined variable \"foo\""},
+                        {3, "warning C7022: unrecognized profile specifier \"a\""}}));
+}
+
+TEST(Log, Nvidia_HeadingOfALinkLog_IsKeptWithoutALine)
+{
+    EXPECT_EQ(parseLog("Fragment info\n-------------\n0(7) : error C5051: array\n"),
+              (Messages{{0, "Fragment info"}, {0, "-------------"}, {7, "error C5051: array"}}));
+}
+
+// ANGLE, Intel on Windows and macOS; AMD adds "error(#143)".
+TEST(Log, AmdIntelAngle_SeverityStandsFirst)
+{
+    EXPECT_EQ(parseLog("ERROR: 0:12: 'foo' : undeclared identifier\r\n"
+                       "WARNING: 0:4: 'x' : unused\r\n"
+                       "ERROR: 0:5: error(#143) Undeclared identifier: bar\r\n"),
+              (Messages{{12, "error: 'foo' : undeclared identifier"},
+                        {4, "warning: 'x' : unused"},
+                        {5, "error: error(#143) Undeclared identifier: bar"}}));
+}
+
+// glslangValidator 12 on standard input.
+TEST(Log, Glslang_CountOfErrors_IsKeptWithoutALine)
+{
+    EXPECT_EQ(parseLog("ERROR: 0:2: '' :  syntax error, unexpected IDENTIFIER\n"
+                       "ERROR: 1 compilation errors.  No code generated.\n\n\n"),
+              (Messages{{2, "error: '' :  syntax error, unexpected IDENTIFIER"},
+                        {0, "ERROR: 1 compilation errors.  No code generated."}}));
+}
+
+TEST(Log, NumbersInsideAMessage_AreNotItsPlace)
+{
+    EXPECT_EQ(parseLog("error: vec3(1): 0:12: too few"), (Messages{{0, "error: vec3(1): 0:12: too few"}}));
+    EXPECT_EQ(parseLog("99999999999:99999999999(1): error: x"),
+              (Messages{{0, "99999999999:99999999999(1): error: x"}}));
+}
+
+TEST(Log, Empty_HasNoMessages)
+{
+    EXPECT_TRUE(parseLog("").empty());
+    EXPECT_TRUE(parseLog("\n \n").empty());
+}
+
+TEST(Log, LongMessage_IsReadWhole)
+{
+    const std::string text = "error: " + std::string(1000000, 'x');
+    EXPECT_EQ(parseLog("0:5(1): " + text).at(0).text.size(), text.size());
+}
+
+} // namespace
+} // namespace dioptre

@@ -1,0 +1,141 @@
+// The assembled shaders themselves: valid by an independent compiler, and nothing in them that is not used.
+#include "support/process.h"
+#include "support/rendering.h"
+
+#include "base/file.h"
+#include "render/device_scene.h"
+#include "render/prune.h"
+#include "scene/load.h"
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <fstream>
+#include <set>
+
+using namespace dioptre;
+using namespace dioptre::test;
+
+namespace
+{
+
+class GalleryShader : public testing::TestWithParam<std::filesystem::path>
+{
+protected:
+    SourceText shaderOf(const std::vector<std::string>& overrides) const
+    {
+        const StillSettings settings{64, 36, 1, glslFolder(), {}};
+        const auto prepared = prepare(loadScene(GetParam(), overrides), settings);
+        return assemble(prepared.scene, prepared.plan, prepared.packed, settings.glslFolder);
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Scenes, GalleryShader, testing::ValuesIn(galleryScenes()),
+                         [](const auto& info) { return info.param.stem().string(); });
+
+const std::vector<std::vector<std::string>> variants = {
+    {}, {"trace.form=loop"}, {"trace.order=breadth-first"}, {"trace.light_type=0"}, {"trace.light_type=2"}};
+
+// Names that are called, "name(", anywhere in main() or in what main() calls.
+std::set<std::string> calledFromMain(const SourceText& shader)
+{
+    const auto items = itemsOf(shader);
+    std::set<std::string> called = {"main"};
+    for (bool grew = true; grew;) {
+        grew = false;
+        for (const auto& item : items) {
+            if (item.kind != ShaderItem::Kind::function || !called.contains(*item.names.begin()))
+                continue;
+            std::string body;
+            for (auto i = item.first; i < item.last; ++i)
+                body += shader[i].text.substr(0, shader[i].text.find("//")) + "\n";
+            for (const auto& name : item.references)
+                if (body.find(name + "(") != std::string::npos)
+                    grew = called.insert(name).second || grew;
+        }
+    }
+    return called;
+}
+
+} // namespace
+
+TEST_P(GalleryShader, GlslangValidator_AcceptsItAsGlsl330)
+{
+    for (const auto& overrides : variants) {
+        const auto file =
+            std::filesystem::temp_directory_path() /
+            ("dioptre-" + std::to_string(getpid()) + "-" + GetParam().stem().string() + ".frag");
+        std::ofstream(file) << flatten(shaderOf(overrides));
+        const auto outcome = run("glslangValidator -C '" + file.string() + "'");
+        EXPECT_EQ(outcome.code, 0) << outcome.out;
+        std::filesystem::remove(file);
+    }
+}
+
+TEST_P(GalleryShader, EveryFunction_IsCalled)
+{
+    for (const auto& overrides : variants) {
+        const auto shader = shaderOf(overrides);
+        const auto called = calledFromMain(shader);
+        ASSERT_GT(called.size(), 5U);
+        for (const auto& item : itemsOf(shader)) {
+            const bool uncalled =
+                item.kind == ShaderItem::Kind::function && !called.contains(*item.names.begin());
+            EXPECT_FALSE(uncalled) << *item.names.begin() << " is never called";
+        }
+    }
+}
+
+TEST_P(GalleryShader, ActiveUniforms_AreThoseOfThePlan)
+{
+    // renderScene() compares both ways and throws where they differ.
+    for (const auto& overrides : variants)
+        EXPECT_NO_THROW(test::renderScene(GetParam(), {16, 9, 1, overrides, "auto"}));
+}
+
+TEST_P(GalleryShader, Text_IsTheSameEachTime)
+{
+    EXPECT_EQ(flatten(shaderOf({})), flatten(shaderOf({})));
+}
+
+TEST(ShaderErrors, AnEditedFile_IsNamedWithItsLine)
+{
+    const auto folder =
+        std::filesystem::temp_directory_path() / ("dioptre-edited-glsl-" + std::to_string(getpid()));
+    std::filesystem::remove_all(folder);
+    std::filesystem::copy(glslFolder(), folder, std::filesystem::copy_options::recursive);
+    auto text = readFile(folder / "trace" / "sky.glsl");
+    text.replace(text.find("vec3 radiance"), 13, "vec3 radianc3");
+    std::ofstream(folder / "trace" / "sky.glsl") << text;
+    contextFor("auto");
+    const StillSettings settings{16, 9, 1, folder, {}};
+    try {
+        renderScene(prepare(loadScene(galleryScenes().front(), {}), settings), settings, contextFor("auto"));
+        FAIL() << "compiled";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::badInput);
+        EXPECT_NE(std::string(error.what()).find("trace/sky.glsl:"), std::string::npos) << error.what();
+    }
+    std::filesystem::remove_all(folder);
+}
+
+TEST(ShaderErrors, AUniformThatNothingFeeds_IsReported)
+{
+    const auto folder =
+        std::filesystem::temp_directory_path() / ("dioptre-unfed-glsl-" + std::to_string(getpid()));
+    std::filesystem::remove_all(folder);
+    std::filesystem::copy(glslFolder(), folder, std::filesystem::copy_options::recursive);
+    auto text = readFile(folder / "trace" / "sky.glsl");
+    text.replace(text.find("vec3 skyRadiance"), 0, "uniform float u_stray;\n\n");
+    text.replace(text.find("return radiance"), 15, "return u_stray * radiance");
+    std::ofstream(folder / "trace" / "sky.glsl") << text;
+    const StillSettings settings{16, 9, 1, folder, {}};
+    try {
+        renderScene(prepare(loadScene(galleryScenes().front(), {}), settings), settings, contextFor("auto"));
+        FAIL() << "u_stray was not noticed";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("u_stray"), std::string::npos) << error.what();
+    }
+    std::filesystem::remove_all(folder);
+}

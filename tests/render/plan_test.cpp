@@ -1,0 +1,163 @@
+// Each feature, switched on in a scene of one object: its functions, uniforms and textures appear with it and
+// vanish without.
+#include "render/assemble.h"
+#include "render/device_scene.h"
+#include "render/pack.h"
+#include "scene/load.h"
+
+#include <gtest/gtest.h>
+
+using namespace dioptre;
+
+namespace
+{
+
+struct Toggle {
+    std::string feature;             // of the plan
+    std::string scene;               // has it
+    std::vector<std::string> tokens; // of the shader's text: there with it, not there without
+};
+
+void PrintTo(const Toggle& toggle, std::ostream* stream)
+{
+    *stream << toggle.feature;
+}
+
+const std::string plain = "[camera]\neye = [0, 0, 5]\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n";
+
+std::string with(const std::string& material, const std::string& rest = "")
+{
+    return rest + "[material.m]\n" + material +
+           "\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\nmaterial = \"m\"\n";
+}
+
+const std::string point = "[[light]]\nkind = \"point\"\nposition = [0, 9, 0]\n";
+
+const std::vector<Toggle> toggles = {
+    {"open cylinder",
+     "[[cylinder]]\nbase = [0, 0, 0]\naxis = [0, 1, 0]\nradius = 1\n",
+     {"openCylinderCrossing", "sideNormal"}},
+    {"capped cylinder",
+     "[[cylinder]]\nbase = [0, 0, 0]\naxis = [0, 1, 0]\nradius = 1\ncapped = true\n",
+     {"cappedCylinderCrossing", "slabSpan"}},
+    {"plane", "[[plane]]\npoint = [0, -1, 0]\nnormal = [0, 1, 0]\n", {"planeCrossing"}},
+    {"disk", "[[disk]]\ncentre = [0, 0, 0]\nnormal = [0, 0, 1]\nradius = 1\n", {"diskCrossing"}},
+    {"rectangle",
+     "[[rectangle]]\ncorner = [0, 0, 0]\nedge_u = [1, 0, 0]\nedge_v = [0, 1, 0]\n",
+     {"rectangleCrossing"}},
+    {"triangle",
+     "[[triangle]]\na = [0, 0, 0]\nb = [1, 0, 0]\nc = [0, 1, 0]\n",
+     {"triangleCrossing", "edgeSide"}},
+    {"picture",
+     with("image = \"planet.png\"", point),
+     {"u_pictures0", "pictureColour", "latLong", "travelled"}},
+    {"checker",
+     with("pattern = \"checker\"\ncolours = [[1, 1, 1], [0, 0, 0]]\nsize = 1.0", point),
+     {"checkerField", "latLong"}},
+    {"emission", with("emission = [1, 1, 1]"), {"local + material.emission"}},
+    {"mirror", with("mirror = 0.5"), {"traceChain", "u_budget", "u_cut_off", "vec3 mirrored"}},
+    {"refraction",
+     with("transmit = 1.0\nior = 1.5"),
+     {"fresnelReflectance", "refractedDirection", "traceHeaviestFirst"}},
+    {"absorption", with("transmit = 1.0\nior = 1.5\nabsorption = [1, 0, 0]"), {"path.medium"}},
+    {"ambient light", with("", "[[light]]\nkind = \"ambient\"\nambient = [1, 1, 1]\n"), {"u_ambient"}},
+    {"directional light",
+     with("", "[[light]]\nkind = \"directional\"\ndirection = [0, -1, 0]\n"),
+     {"LightBlock", "incidenceOf"}},
+    {"point light", with("", point), {"LightBlock", "attenuation("}},
+    {"spot light",
+     with("", "[[light]]\nkind = \"spot\"\nposition = [0, 9, 0]\ndirection = [0, -1, 0]\ncutoff_deg = 20\n"),
+     {"LightBlock", "coneStrength"}},
+    {"ambient part of placed lights",
+     with("", point + "ambient = [1, 1, 1]\n"),
+     {"light.ambient.xyz * ambientColour"}},
+    {"glowing sphere", with("emission = [1, 1, 1]\nlight = true"), {"LightBlock", "glowing != 0"}},
+    {"Phong highlight", with("model = \"phong\"\nspecular = [1, 1, 1]", point), {"phongLobe", "cosinePower"}},
+    {"Blinn highlight", with("model = \"blinn\"\nspecular = [1, 1, 1]", point), {"blinnLobe", "cosinePower"}},
+    {"shadows", with("", point), {"lightThrough"}},
+    {"tinted shadows", with("transmit = 0.5", point), {"solidTint"}},
+    {"sky gradient", with("", "[sky]\ngradient = [[0, 0, 0], [1, 1, 1], [0, 0, 1]]\n"), {"u_sky.horizon"}},
+    {"sky picture", with("", "[sky]\nimage = \"sky.exr\"\n"), {"u_sky_picture", "latLong"}},
+    {"depth limit", with("mirror = 0.5", "[trace]\ndepth = 3\n"), {"u_depth", "bounces"}},
+    {"ray queue", with("mirror = 0.5", "[trace]\norder = \"breadth-first\"\n"), {"traceBreadthFirst"}},
+    {"geometry table", with("", "[trace]\nform = \"loop\"\n"), {"ShapeBlock", "crossingOf"}},
+};
+
+class PlanFeature : public testing::TestWithParam<Toggle>
+{
+};
+
+struct Assembled {
+    Plan plan;
+    std::string text;
+};
+
+Assembled assembled(const std::string& toml)
+{
+    const std::filesystem::path glsl = std::filesystem::path(DIOPTRE_SOURCE_DIR) / "glsl";
+    const Scene scene = underLightType(parseScene(toml, glsl / "scenes" / "text.toml"));
+    Assembled result{makePlan(scene), {}};
+    auto packed = pack(scene, result.plan, {36, 1});
+    loadPictures(scene, result.plan, packed);
+    result.text = flatten(assemble(scene, result.plan, packed, glsl));
+    return result;
+}
+
+} // namespace
+
+INSTANTIATE_TEST_SUITE_P(Toggles, PlanFeature, testing::ValuesIn(toggles), [](const auto& info) {
+    std::string name = info.param.feature;
+    std::erase(name, ' ');
+    return name;
+});
+
+TEST_P(PlanFeature, WithIt_ItsCodeIsThere)
+{
+    const auto [plan, text] = assembled(GetParam().scene);
+    EXPECT_TRUE(plan.has(GetParam().feature)) << plan.feature(GetParam().feature).reason;
+    EXPECT_FALSE(plan.feature(GetParam().feature).reason.empty());
+    for (const auto& token : GetParam().tokens)
+        EXPECT_NE(text.find(token), std::string::npos) << token << " is missing from\n" << text;
+}
+
+TEST_P(PlanFeature, WithoutIt_NothingOfItIsLeft)
+{
+    const auto [plan, text] = assembled(plain);
+    EXPECT_FALSE(plan.has(GetParam().feature));
+    for (const auto& token : GetParam().tokens)
+        EXPECT_EQ(text.find(token), std::string::npos) << token << " is still in\n" << text;
+}
+
+TEST(Plan, UnusedMaterialsAndPictures_AreNeitherLoadedNorUploaded)
+{
+    const auto plan = assembled("[material.idle]\nimage = \"planet.png\"\n" + plain).plan;
+    EXPECT_TRUE(plan.pictures.empty());
+    EXPECT_EQ(plan.materials.size(), 1U);
+}
+
+TEST(Plan, WhereNothingShines_NoPictureIsLoadedAndNoSurfaceShaded)
+{
+    const auto [plan, text] = assembled(with("image = \"planet.png\""));
+    EXPECT_TRUE(plan.pictures.empty());
+    EXPECT_FALSE(plan.has("local shading"));
+    EXPECT_EQ(text.find("localRadiance"), std::string::npos);
+}
+
+TEST(Plan, UnlitSceneOfOneSphere_HasNoLightCodeAtAll)
+{
+    const auto [plan, text] = assembled("[trace]\nlight_type = 0\n" + with("", point));
+    EXPECT_FALSE(plan.has("point light"));
+    EXPECT_EQ(text.find("LightBlock"), std::string::npos);
+    EXPECT_NE(text.find("u_ambient"), std::string::npos);
+}
+
+TEST(Plan, NestedMedia_GetALargerBudgetAndPool)
+{
+    const auto plan = assembled("[material.water]\ntransmit = 1.0\nior = 1.33\n"
+                                "[material.glass]\ntransmit = 1.0\nior = 1.5\noutside = \"water\"\n"
+                                "[[sphere]]\ncentre = [0, 0, 0]\nradius = 2\nmaterial = \"water\"\n"
+                                "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\nmaterial = \"glass\"\n")
+                          .plan;
+    EXPECT_EQ(plan.budget, 24);
+    EXPECT_EQ(plan.poolSlots, 4);
+}

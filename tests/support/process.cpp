@@ -1,0 +1,31 @@
+#include "support/process.h"
+
+#include "base/file.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace dioptre::test
+{
+
+Outcome run(const std::string& command)
+{
+    std::string place = "/tmp/dioptre-test-" + std::string(6, 'X'); // mkdtemp's pattern
+    if (mkdtemp(place.data()) == nullptr)
+        throw std::runtime_error("no temporary folder");
+    // A function stands for the program, so that tests read as a user types.
+    const std::string whole = "dioptre() { '" DIOPTRE_PROGRAM "' \"$@\"; }\n{ " + command + "\n} >'" + place +
+                              "/out' 2>'" + place + "/error' </dev/null";
+    const int status = std::system(whole.c_str());
+    Outcome outcome;
+    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    outcome.out = readFile(place + "/out");
+    outcome.error = readFile(place + "/error");
+    std::filesystem::remove_all(place);
+    return outcome;
+}
+
+} // namespace dioptre::test

@@ -1,0 +1,19 @@
+// Running the program itself, as a user or a script would.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace dioptre::test
+{
+
+struct Outcome {
+    int code = 0; // exit code; 128 + signal where one ended it
+    std::string out;
+    std::string error;
+};
+
+// Runs a shell command with an empty standard input; `dioptre` in it is the program under test.
+Outcome run(const std::string& command);
+
+} // namespace dioptre::test

@@ -1,0 +1,95 @@
+#include "support/rendering.h"
+
+#include "base/file.h"
+#include "kernel/reference.h"
+#include "scene/load.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+namespace dioptre::test
+{
+namespace
+{
+
+StillSettings settingsOf(const Request& request)
+{
+    return {request.width, request.height, request.samples, glslFolder(), {}};
+}
+
+Still renderLoaded(const Scene& scene, const Request& request)
+{
+    const auto settings = settingsOf(request);
+    const auto& context = contextFor(request.backend);
+    return dioptre::renderScene(prepare(scene, settings), settings, context);
+}
+
+Picture renderLoadedDouble(const Scene& scene, const Request& request)
+{
+    return renderReference(prepare(scene, settingsOf(request)).packed, request.width, request.height,
+                           request.samples);
+}
+
+// Where a scene given as text is taken to lie: it finds the gallery's pictures.
+const std::filesystem::path besideTheGallery =
+    std::filesystem::path(DIOPTRE_SOURCE_DIR) / "glsl" / "scenes" / "text.toml";
+
+} // namespace
+
+std::filesystem::path glslFolder()
+{
+    const char* chosen = std::getenv("DIOPTRE_GLSL");
+    return chosen != nullptr ? std::filesystem::path(chosen)
+                             : std::filesystem::path(DIOPTRE_SOURCE_DIR) / "glsl";
+}
+
+std::vector<std::filesystem::path> galleryScenes()
+{
+    std::vector<std::filesystem::path> scenes;
+    const auto folder = std::filesystem::path(DIOPTRE_SOURCE_DIR) / "glsl" / "scenes";
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (entry.path().extension() == ".toml")
+            scenes.push_back(entry.path());
+    std::sort(scenes.begin(), scenes.end());
+    return scenes;
+}
+
+std::vector<std::string> ownPictures(const std::filesystem::path& scene)
+{
+    if (readFile(scene).find("xplanet") == std::string::npos)
+        return {};
+    return {"material.planet.image=planet.png"};
+}
+
+const ContextInfo& contextFor(const std::string& backend)
+{
+    static std::pair<std::string, std::unique_ptr<Context>> current;
+    if (current.second == nullptr || current.first != backend) {
+        current.second.reset();
+        current = {backend, makeContext(backend)};
+    }
+    return current.second->info();
+}
+
+Still renderScene(const std::filesystem::path& scene, const Request& request)
+{
+    return renderLoaded(loadScene(scene, request.overrides), request);
+}
+
+Still renderSceneText(const std::string& toml, const Request& request)
+{
+    return renderLoaded(parseScene(toml, besideTheGallery, request.overrides), request);
+}
+
+Picture renderDouble(const std::filesystem::path& scene, const Request& request)
+{
+    return renderLoadedDouble(loadScene(scene, request.overrides), request);
+}
+
+Picture renderDoubleText(const std::string& toml, const Request& request)
+{
+    return renderLoadedDouble(parseScene(toml, besideTheGallery, request.overrides), request);
+}
+
+} // namespace dioptre::test

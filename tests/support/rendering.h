@@ -1,0 +1,41 @@
+// Pictures for tests, without the command line.
+#pragma once
+
+#include "render/still.h"
+
+#include <string>
+#include <vector>
+
+namespace dioptre::test
+{
+
+struct Request {
+    int width = 64;
+    int height = 48;
+    int samples = 1;
+    std::vector<std::string> overrides; // as --set
+    std::string backend = "auto";
+};
+
+// glsl/ of the sources, or $DIOPTRE_GLSL where set: mutants put their own there.
+std::filesystem::path glslFolder();
+
+// The gallery's scenes, sorted by name.
+std::vector<std::filesystem::path> galleryScenes();
+
+// Overrides that put our own painted planet in place of the earth, which a machine may have or not have.
+std::vector<std::string> ownPictures(const std::filesystem::path& scene);
+
+// On the device; one context is kept between calls and remade when the backend changes.
+Still renderScene(const std::filesystem::path& scene, const Request& request);
+Still renderSceneText(const std::string& toml, const Request& request);
+
+// In double precision by the reference.
+Picture renderDouble(const std::filesystem::path& scene, const Request& request);
+
+Picture renderDoubleText(const std::string& toml, const Request& request);
+
+// The context that the calls above draw on.
+const ContextInfo& contextFor(const std::string& backend);
+
+} // namespace dioptre::test
