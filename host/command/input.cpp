@@ -40,7 +40,7 @@ Input findInput(const std::string& text)
     const auto extension = path.extension();
     if (extension == ".toml" || extension == ".frag" || extension == ".glsl") {
         if (!std::filesystem::is_regular_file(path))
-            fail(ExitCode::inputMissing, text + " is not there", "check the path");
+            fail(ExitCode::inputMissing, text + " is no file that can be read", "check the path");
         return {path, path.stem().string(), extension != ".toml"};
     }
     const auto names = galleryNames();

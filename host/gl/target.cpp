@@ -44,7 +44,12 @@ AccumulationTarget makeAccumulationTarget(int width, int height)
                               generate<Framebuffer>(glGenFramebuffers),
                               generate<VertexArray>(glGenVertexArrays)};
     const TextureBinding binding(GL_TEXTURE_2D, target.colour.name());
+    while (glGetError() != GL_NO_ERROR) {
+    }
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
+    if (glGetError() == GL_OUT_OF_MEMORY)
+        fail(ExitCode::retry, fmt::format("the driver has no memory for {}x{} pixels", width, height),
+             "draw a smaller --size");
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0); // complete without mip levels
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);

@@ -1,0 +1,100 @@
+#include "render/planner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace dioptre
+{
+
+bool Planner::onObject(const Material& material) const
+{
+    return std::any_of(scene_.objects.begin(), scene_.objects.end(),
+                       [&](const Object& o) { return &scene_.materials[o.material] == &material; });
+}
+
+bool Planner::hasLocal(const Material& material)
+{
+    return material.mirror < 1.0 && material.transmit < 1.0;
+}
+
+bool Planner::anythingShines() const
+{
+    const bool everywhere = std::ranges::any_of(
+        scene_.lights, [](const Light& light) { return light.ambient != glm::dvec3(0.0); });
+    return everywhere || !plan_.placedLights.empty() || !plan_.glowing.empty();
+}
+
+void Planner::surfaces()
+{
+    const bool lit = anythingShines();
+    const auto seen = [this, lit](const Material& m) { return lit && onObject(m) && hasLocal(m); };
+    addForMaterials("picture", [&](const auto& m) { return seen(m) && !m.image.empty(); },
+                    "no lit material has an image", {"HAS_PICTURES", "HAS_COORDINATES"});
+    addForMaterials("checker", [&](const auto& m) { return seen(m) && m.checker; },
+                    "no lit material has a pattern", {"HAS_CHECKER", "HAS_COORDINATES"});
+    addForMaterials("emission", [&](const auto& m) { return onObject(m) && m.emission != glm::dvec3(0.0); },
+                    "no material glows", {"HAS_EMISSION"});
+    for (const auto i : plan_.materials) {
+        const auto& material = scene_.materials[i];
+        const PictureUse use{material.image, material.encoding};
+        if (seen(material) && !material.image.empty() && std::ranges::count(plan_.pictures, use) == 0)
+            plan_.pictures.push_back(use);
+    }
+}
+
+void Planner::rays()
+{
+    addForMaterials("mirror", [&](const auto& m) { return onObject(m) && m.mirror > 0.0; },
+                    "no material mirrors", {"HAS_MIRROR_RAY"});
+    addForMaterials("refraction",
+                    [&](const auto& m) { return onObject(m) && m.transmit > 0.0 && m.mirror < 1.0; },
+                    "no material transmits light", {"HAS_MIRROR_RAY", "HAS_REFRACTION"});
+    const bool refracts = plan_.has("refraction");
+    const bool swims = scene_.camera.inside.has_value();
+    const auto absorbing = materialsWith([](const auto& m) { return m.absorption != glm::dvec3(0.0); });
+    add("absorption", !absorbing.empty() && (refracts || swims), "material " + absorbing,
+        absorbing.empty() ? "no medium absorbs" : "no ray gets into a medium", {"HAS_ABSORPTION"});
+    const bool sendsOn = refracts || plan_.has("mirror");
+    add("depth limit", sendsOn && scene_.trace.depth.has_value(), "trace.depth is set",
+        sendsOn ? "trace.depth is not set" : "no ray is sent on", {"HAS_DEPTH_LIMIT"});
+    rayTree(sendsOn, refracts);
+}
+
+int Planner::nesting() const
+{
+    int deepest = 0;
+    for (const auto i : plan_.materials) {
+        int depth = 0;
+        std::optional<std::size_t> medium = i;
+        while (medium && scene_.materials[*medium].transmit > 0.0) {
+            ++depth;
+            medium = scene_.materials[*medium].outside;
+        }
+        deepest = std::max(deepest, depth);
+    }
+    return deepest;
+}
+
+void Planner::rayTree(bool sendsOn, bool refracts)
+{
+    const int nested = nesting();
+    plan_.budget = sendsOn ? scene_.trace.budget.value_or(16 + 8 * std::max(0, nested - 1)) : 1;
+    plan_.poolSlots = nested > 1 ? 4 : 3;
+    const bool breadthFirst = scene_.trace.order == TreeOrder::breadthFirst;
+    plan_.tree = !sendsOn       ? RayTree::single
+                 : breadthFirst ? RayTree::breadthFirst
+                 : refracts     ? RayTree::heaviestFirst
+                                : RayTree::chain;
+    const std::string never = sendsOn ? "no surface both reflects and refracts" : "no ray is sent on";
+    add("ray chain", plan_.tree == RayTree::chain, "surfaces send on one ray each",
+        sendsOn ? "a surface splits rays, or trace.order asks for a queue" : "no ray is sent on", {});
+    add("ray pool", plan_.tree == RayTree::heaviestFirst,
+        fmt::format("{} slots: {}", plan_.poolSlots,
+                    nested > 1 ? "media lie within each other" : "surfaces reflect and refract"),
+        breadthFirst && sendsOn ? "trace.order is breadth-first" : never, {});
+    add("ray queue", plan_.tree == RayTree::breadthFirst, "trace.order is breadth-first",
+        sendsOn ? "trace.order is heaviest-first" : never, {});
+}
+
+} // namespace dioptre

@@ -1,0 +1,61 @@
+// How the plan is made: the rows of its table, one topic a file (plan.cpp shapes and form, plan_surfaces.cpp
+// surfaces and rays, plan_lights.cpp lights and sky).
+#pragma once
+
+#include "render/plan.h"
+
+#include <functional>
+
+namespace dioptre
+{
+
+class Planner
+{
+public:
+    explicit Planner(const Scene& scene) : scene_(scene) {}
+    Plan make();
+
+private:
+    // A row: in with the first reason, or out with the second.
+    void add(const std::string& name, bool in, const std::string& whyIn, const std::string& whyOut,
+             std::vector<std::string> defines);
+    void addForMaterials(const std::string& name, const std::function<bool(const Material&)>& holds,
+                         const std::string& whyOut, std::vector<std::string> defines);
+    void addForLights(const std::string& name, const std::function<bool(const Light&)>& holds,
+                      std::string whyOut, std::vector<std::string> defines);
+    void addForShape(const std::string& name, const std::string& count, std::vector<std::string> defines);
+
+    // Names of the used materials for which `holds`, or the number of lights, for a reason; "" where there is
+    // none.
+    std::string materialsWith(const std::function<bool(const Material&)>& holds) const;
+    std::string lightsWith(const std::function<bool(const Light&)>& holds) const;
+
+    // Materials of objects alone: a medium around the camera has no surface.
+    bool onObject(const Material& material) const;
+
+    // Whether anything but mirrored and transmitted light is seen of a surface.
+    static bool hasLocal(const Material& material);
+
+    // Whether any light falls on the scene at all; without, no surface's colour is ever asked for.
+    bool anythingShines() const;
+
+    // How many interfaces lie within each other: the longest chain of `outside`, counted from air.
+    int nesting() const;
+
+    void findUsed();
+    void shapes();
+    void surfaces();
+    void rays();
+    void rayTree(bool sendsOn, bool refracts);
+    void lights();
+    void highlights(bool anyLight);
+    void shadows(bool anyLight);
+    void sky();
+    void form();
+
+    const Scene& scene_;
+    Plan plan_;
+    bool lit_ = false; // some surface shows light that falls on it
+};
+
+} // namespace dioptre
