@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace dioptre
 {
@@ -77,20 +78,23 @@ Texel linearTexel(const Picture& picture, int x, int y)
     return texel;
 }
 
-std::vector<Picture> mipmaps(const Picture& picture)
+std::vector<Picture> mipmaps(Picture picture)
 {
-    std::vector<Picture> levels{picture};
-    if (picture.width <= 1 && picture.height <= 1)
+    std::vector<Picture> levels;
+    levels.push_back(std::move(picture));
+    const Picture& whole = levels.front();
+    const PixelFormat format = whole.format;
+    if (whole.width <= 1 && whole.height <= 1)
         return levels;
     LinearLevel level =
-        halve(picture.width, picture.height, [&picture](int x, int y) { return linearTexel(picture, x, y); });
-    levels.push_back(stored(level, picture.format));
+        halve(whole.width, whole.height, [&whole](int x, int y) { return linearTexel(whole, x, y); });
+    levels.push_back(stored(level, format));
     while (level.width > 1 || level.height > 1) {
         level = halve(level.width, level.height, [&level](int x, int y) {
             const float* texel = level.floats.data() + texelIndex(level.width, x, y);
             return Texel{texel[0], texel[1], texel[2], texel[3]};
         });
-        levels.push_back(stored(level, picture.format));
+        levels.push_back(stored(level, format));
     }
     return levels;
 }

@@ -39,7 +39,7 @@ std::array<float, 4> linearTexel(const Picture& picture, int x, int y);
 
 // The picture and its halvings down to 1x1 by a 2x2 box filter taken in linear light (floor of odd sizes, as
 // OpenGL).
-std::vector<Picture> mipmaps(const Picture& picture);
+std::vector<Picture> mipmaps(Picture picture);
 
 // IEC 61966-2-1. Linear 1.0 is white; values outside 0..1 are clamped, NaN gives 0.
 std::uint8_t srgb8FromLinear(float linear);

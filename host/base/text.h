@@ -14,6 +14,16 @@ std::string nearestWord(std::string_view word, const std::vector<std::string>& c
 // The pieces joined with `separator` between them.
 std::string join(const std::vector<std::string>& pieces, std::string_view separator);
 
+// The keys of a map by name, in its order.
+template <typename Map>
+std::vector<std::string> keysOf(const Map& map)
+{
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : map)
+        keys.push_back(key);
+    return keys;
+}
+
 // 64-bit FNV-1a of the bytes: the fingerprint under which shader texts and settings are compared.
 unsigned long long fingerprint(std::string_view bytes);
 

@@ -71,11 +71,11 @@ void checkUploaded()
 
 } // namespace
 
-Texture uploadPictureArray(const std::vector<std::vector<Picture>>& layers)
+Texture uploadPictureArray(const std::vector<std::span<const Picture>>& layers)
 {
     constexpr GLenum kind = GL_TEXTURE_2D_ARRAY;
-    const std::vector<Picture>& first = layers.at(0);
-    const Layout layout = layoutOf(first.at(0).format);
+    const std::span<const Picture> first = layers.at(0);
+    const Layout layout = layoutOf(first.front().format);
     const auto layerCount = static_cast<GLsizei>(layers.size());
     checkLimit(GL_MAX_TEXTURE_SIZE, std::max(first[0].width, first[0].height), "texels on a side");
     checkLimit(GL_MAX_ARRAY_TEXTURE_LAYERS, layerCount, "pictures of one size");
@@ -89,7 +89,7 @@ Texture uploadPictureArray(const std::vector<std::vector<Picture>>& layers)
                      GL_RGBA, layout.numberType, nullptr);
         for (std::size_t layer = 0; layer < layers.size(); ++layer)
             glTexSubImage3D(kind, levelNumber, 0, 0, static_cast<GLint>(layer), width, height, 1, GL_RGBA,
-                            layout.numberType, numbersOf(layers[layer].at(level)));
+                            layout.numberType, numbersOf(layers[layer][level]));
     }
     glTexParameteri(kind, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(first.size()) - 1);
     setSampling(kind, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT, GL_REPEAT);

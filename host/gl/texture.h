@@ -4,6 +4,7 @@
 #include "base/picture.h"
 #include "gl/object.h"
 
+#include <span>
 #include <vector>
 
 namespace dioptre
@@ -11,7 +12,7 @@ namespace dioptre
 
 // An array texture of pictures of one size and format, with all their mip levels (trilinear, repeating both
 // ways). layers[i] is the mip chain of layer i.
-Texture uploadPictureArray(const std::vector<std::vector<Picture>>& layers);
+Texture uploadPictureArray(const std::vector<std::span<const Picture>>& layers);
 
 // A single 2D float texture without mip levels (bilinear; repeats along s, clamps along t): the sky.
 Texture uploadSky(const Picture& picture);

@@ -1,5 +1,7 @@
 #include "render/pack.h"
 
+#include "scene/direction.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -47,7 +49,7 @@ std::optional<Bound> boundOf(const Primitive& primitive)
 double distanceTo(const Primitive& primitive, const glm::dvec3& point)
 {
     if (const auto* plane = std::get_if<Plane>(&primitive))
-        return std::abs(glm::dot(point - plane->point, glm::normalize(plane->normal)));
+        return std::abs(glm::dot(point - plane->point, unit(plane->normal)));
     const Bound bound = *boundOf(primitive);
     const double fromBound = glm::distance(point, bound.centre) - bound.radius;
     if (std::holds_alternative<Sphere>(primitive))

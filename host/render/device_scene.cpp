@@ -53,10 +53,10 @@ std::size_t bytesOf(const std::vector<Picture>& levels)
 void uploadTextures(DeviceScene& device, const PackedScene& packed)
 {
     for (const auto& group : pictureGroups(packed)) {
-        std::vector<std::vector<Picture>> layers;
+        std::vector<std::span<const Picture>> layers;
         for (const auto picture : group.pictures) {
             layers.push_back(packed.pictures[picture]);
-            device.textureBytes += bytesOf(layers.back());
+            device.textureBytes += bytesOf(packed.pictures[picture]);
         }
         device.textures.push_back({group.uniform, uploadPictureArray(layers), GL_TEXTURE_2D_ARRAY});
     }
@@ -84,15 +84,6 @@ std::string missing(const std::vector<std::string>& wanted, const std::vector<st
         if (std::find(present.begin(), present.end(), name) == present.end())
             names.push_back(name);
     return join(names, ", ");
-}
-
-template <typename Map>
-std::vector<std::string> keysOf(const Map& map)
-{
-    std::vector<std::string> keys;
-    for (const auto& [key, value] : map)
-        keys.push_back(key);
-    return keys;
 }
 
 } // namespace

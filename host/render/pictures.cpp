@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace dioptre
@@ -10,25 +11,28 @@ namespace dioptre
 namespace
 {
 
-// The value that 99.9 % of the sky's texels do not exceed in any channel, weighted by solid angle.
+// The value that 99.9 % of the sky does not exceed in any channel, weighted by solid angle; up to 0.4 % above
+// it. Positive floats are ordered as their bits are, so a histogram over the upper 16 takes one pass where a
+// sort of a large sky takes long.
 double brightSky(const Picture& picture)
 {
-    std::vector<std::pair<double, double>> texels; // brightest channel, weight
+    constexpr int cellBits = 15; // sign, exponent and 8 bits of the mantissa are left
+    std::vector<double> weights(std::size_t{1} << (31 - cellBits), 0.0);
     double total = 0.0;
     for (int y = 0; y < picture.height; ++y) {
         const double weight = std::cos((((y + 0.5) / picture.height) - 0.5) * packed::PI);
         for (int x = 0; x < picture.width; ++x) {
             const auto texel = linearTexel(picture, x, y);
-            texels.emplace_back(std::max({texel[0], texel[1], texel[2]}), weight);
-            total += weight;
+            const float brightest = std::max({texel[0], texel[1], texel[2], 0.0F});
+            weights[std::bit_cast<std::uint32_t>(brightest) >> cellBits] += weight;
         }
+        total += weight * picture.width;
     }
-    std::sort(texels.rbegin(), texels.rend());
     double above = 0.0;
-    for (const auto& [value, weight] : texels) {
-        above += weight;
+    for (auto cell = static_cast<std::uint32_t>(weights.size()); cell-- > 1;) {
+        above += weights[cell];
         if (above >= 0.001 * total)
-            return value;
+            return static_cast<double>(std::bit_cast<float>((cell + 1) << cellBits));
     }
     return 0.0;
 }
@@ -64,6 +68,8 @@ void loadPictures(const Scene& scene, const Plan& plan, PackedScene& packed)
 
 void setCutOff(const Scene& scene, const Plan& plan, PackedScene& packed)
 {
+    if (plan.tree == RayTree::single)
+        return; // no path is ever sent on, none is cut
     double sky = 0.0;
     for (const auto& colour : {packed.sky.colour, packed.sky.horizon, packed.sky.zenith})
         sky = std::max({sky, colour.x, colour.y, colour.z});

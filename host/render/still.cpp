@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/file.h"
+#include "base/text.h"
 #include "gl/program.h"
 #include "gl/target.h"
 #include "render/build.h"
@@ -30,15 +31,6 @@ std::size_t countNonfinite(const Picture& picture)
         count += bad(0) || bad(1) || bad(2) ? 1 : 0;
     }
     return count;
-}
-
-template <typename Map>
-std::vector<std::string> namesOf(const Map& map)
-{
-    std::vector<std::string> names;
-    for (const auto& [name, value] : map)
-        names.push_back(name);
-    return names;
 }
 
 void setSamples(const Program& program, const SampleBatch& batch)
@@ -144,8 +136,8 @@ Still renderScene(const PreparedScene& prepared, const StillSettings& settings, 
     still.textureBytes = device.textureBytes;
     for (const auto& texture : device.textures)
         still.textures.push_back(texture.uniform);
-    still.uniforms = namesOf(program.uniforms);
-    still.blocks = namesOf(program.uniformBlocks);
+    still.uniforms = keysOf(program.uniforms);
+    still.blocks = keysOf(program.uniformBlocks);
     return still;
 }
 
@@ -179,7 +171,7 @@ Still renderPlain(const std::filesystem::path& shader, const StillSettings& sett
     still.picture = readBack(target);
     still.nonfinite = countNonfinite(still.picture);
     still.phases.read = watch.lap_ms();
-    still.uniforms = namesOf(program.uniforms);
+    still.uniforms = keysOf(program.uniforms);
     return still;
 }
 

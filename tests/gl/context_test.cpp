@@ -233,7 +233,9 @@ TEST_F(Gl, PictureArray_HoldsTheLevelsAsGivenAndDecodesSrgb)
                        std::vector<std::uint8_t>(4 * static_cast<std::size_t>(side * side), code),
                        {}};
     };
-    const Texture texture = uploadPictureArray({{grey(2, 255), grey(1, 0)}, {grey(2, 188), grey(1, 255)}});
+    const std::vector<Picture> below = {grey(2, 255), grey(1, 0)};
+    const std::vector<Picture> above = {grey(2, 188), grey(1, 255)};
+    const Texture texture = uploadPictureArray({below, above});
     glBindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
     const std::string declaration = "uniform sampler2DArray pictures;\n";
     EXPECT_EQ(evaluate(declaration, "textureLod(pictures, vec3(0.3, 0.7, 0.0), 0.0)")[0], 1.0f);

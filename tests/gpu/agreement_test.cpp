@@ -95,7 +95,7 @@ TEST(Backends, EglAndOsMesa_DrawTheSamePicture)
     EXPECT_LE(difference.over, difference.pixels / 1000) << saveForTheEye("osmesa", egl, osmesa);
 }
 
-TEST(Backends, EachThatAutoTries_DrawsStill)
+TEST(Backends, EachThatNeedsNoDisplay_DrawsTheStillLife)
 {
     for (const char* backend : {"egl-surfaceless", "egl-device", "osmesa"}) {
         const auto still = renderScene(glslFolder() / "scenes" / "still_life.toml", {32, 18, 1, {}, backend});
