@@ -25,6 +25,7 @@ struct RenderOptions {
     bool half = false;      // EXR in 16-bit floats
     bool reference = false; // in double precision on the CPU
     bool why = false;
+    std::string shader; // file for the assembled shader; "" for none
     bool json = false;
 };
 ExitCode render(const RenderOptions& options);

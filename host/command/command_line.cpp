@@ -58,6 +58,8 @@ void addRender(CLI::App& app, RenderOptions& options, std::string& size)
     command->add_flag("--reference", options.reference,
                       "trace in double precision on the CPU, without OpenGL");
     command->add_flag("--why", options.why, "print what the scene needs, what was left out, and why");
+    command->add_option("--shader", options.shader, "write the assembled shader, headed by its plan")
+        ->type_name("FILE");
     command->add_flag("--json", options.json, "print figures as JSON");
 }
 

@@ -1,6 +1,7 @@
 #include "base/clock.h"
 #include "base/file.h"
 #include "base/text.h"
+#include "base/write_file.h"
 #include "command/command.h"
 #include "command/input.h"
 #include "command/progress.h"
@@ -60,6 +61,9 @@ void refuseIdleOptions(const RenderOptions& options, const Input& input)
         fail(ExitCode::usage,
              options.input + " is a plain shader, and --set, --budget and --reference are for scenes",
              "leave them out");
+    if (options.reference && !options.shader.empty())
+        fail(ExitCode::usage, "--reference traces without a shader, and --shader asks for one",
+             "leave one of them out");
 }
 
 void refuseEditedShader(const std::filesystem::path& glsl)
@@ -89,7 +93,8 @@ struct Rendering {
 
 Rendering renderInput(const RenderOptions& options, const Input& input)
 {
-    StillSettings settings{options.width, options.height, options.samples, glslFolder(), terminalProgress()};
+    StillSettings settings{{options.width, options.height, options.samples, glslFolder()},
+                           terminalProgress()};
     Rendering rendering;
     Stopwatch watch;
     double load_ms = 0.0;
@@ -126,12 +131,17 @@ ExitCode render(const RenderOptions& asked)
     if (input.plainShader)
         options.samples = 1; // it is asked once for each pixel
     isExr(options.output);
-    PendingFile{options.output}; // refuses a folder that cannot be written to before anything is drawn
+    // Folders that cannot be written to are refused before anything is drawn.
+    PendingFile{options.output};
+    if (!options.shader.empty())
+        PendingFile{options.shader};
     Rendering rendering = renderInput(options, input);
     const Plan* plan = rendering.prepared ? &rendering.prepared->plan : nullptr;
     Stopwatch watch;
     write(options, rendering.still, rendering.context, !input.plainShader);
     rendering.still.phases.write = watch.lap_ms();
+    if (!options.shader.empty())
+        writeFile(options.shader, shaderText(plan, rendering.still));
     if (options.why)
         fmt::print("{}", whyText(plan, rendering.still));
     if (options.json)

@@ -32,14 +32,32 @@ std::string orNone(const std::vector<std::string>& names)
     return names.empty() ? "none" : join(names, ", ");
 }
 
+std::string planTable(const Plan& plan)
+{
+    std::string text;
+    for (const auto& feature : plan.features)
+        text += fmt::format("{:4} {:30} {}\n", feature.in ? "in" : "out", feature.name, feature.reason);
+    return text;
+}
+
 } // namespace
+
+std::string shaderText(const Plan* plan, const Still& still)
+{
+    std::string text;
+    if (plan != nullptr) {
+        text += "// What the scene needs, and what was left out:\n";
+        for (const auto& line : linesOf(planTable(*plan), ""))
+            text += "//   " + line.text + "\n";
+    }
+    return text + flatten(still.shader);
+}
 
 std::string whyText(const Plan* plan, const Still& still)
 {
     std::string text;
     if (plan != nullptr) {
-        for (const auto& feature : plan->features)
-            text += fmt::format("{:4} {:30} {}\n", feature.in ? "in" : "out", feature.name, feature.reason);
+        text += planTable(*plan);
         text += fmt::format("\nbudget    {} rays a sample\n", plan->budget);
     }
     if (still.shader.empty())

@@ -12,6 +12,9 @@ namespace dioptre
 // The plan's table, what the shader holds, and its compile times. A plain shader has no plan.
 std::string whyText(const Plan* plan, const Still& still);
 
+// The shader as a file of its own: the plan as its head comment, then the text that the driver got.
+std::string shaderText(const Plan* plan, const Still& still);
+
 // One JSON object; see the README for its keys.
 std::string jsonText(const RenderOptions& options, const Still& still, const ContextInfo& context,
                      const Plan* plan);

@@ -58,10 +58,16 @@ AccumulationTarget makeAccumulationTarget(int width, int height)
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         fail(ExitCode::noOpenGl, "this OpenGL cannot draw into float32 textures", "try another --backend");
     glViewport(0, 0, width, height);
+    clear(target);
+    return target;
+}
+
+void clear(const AccumulationTarget& target)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
     glDisable(GL_SCISSOR_TEST);
     const std::array<GLfloat, 4> zero{};
     glClearBufferfv(GL_COLOR, 0, zero.data());
-    return target;
 }
 
 // Draws add up in the order in which they are made: OpenGL blends in that order.

@@ -20,6 +20,9 @@ struct AccumulationTarget {
 // are missing.
 AccumulationTarget makeAccumulationTarget(int width, int height);
 
+// Sets every pixel back to zero.
+void clear(const AccumulationTarget& target);
+
 // Draws the full-screen triangle with the current program into [x, x+width) x [y, y+height), adding to what
 // is there.
 void drawAdding(const AccumulationTarget& target, int x, int y, int width, int height);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace dioptre
 {
@@ -96,8 +97,8 @@ void Planner::sky()
 {
     add("sky gradient", scene_.sky.kind == Sky::Kind::gradient, "sky.gradient", "the sky has none",
         {"HAS_SKY_GRADIENT"});
-    add("sky picture", scene_.sky.kind == Sky::Kind::image, scene_.sky.image, "the sky has none",
-        {"HAS_SKY_PICTURE"});
+    add("sky picture", scene_.sky.kind == Sky::Kind::image,
+        std::filesystem::path(scene_.sky.image).filename().string(), "the sky has none", {"HAS_SKY_PICTURE"});
 }
 
 } // namespace dioptre

@@ -6,12 +6,9 @@
 #include "gl/program.h"
 #include "gl/target.h"
 #include "render/build.h"
-#include "render/device_scene.h"
-#include "render/pack.h"
 #include "render/preprocess.h"
-#include "render/samples.h"
+#include "render/renderer.h"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -31,37 +28,6 @@ std::size_t countNonfinite(const Picture& picture)
         count += bad(0) || bad(1) || bad(2) ? 1 : 0;
     }
     return count;
-}
-
-void setSamples(const Program& program, const SampleBatch& batch)
-{
-    glUniform1i(locationOf(program, "u_sample_first"), batch.first);
-    glUniform1i(locationOf(program, "u_sample_count"), batch.count);
-}
-
-// Draws every batch of samples over every tile; tiles bound the time of a draw, batches its loop iterations.
-void drawAll(const Program& program, const AccumulationTarget& target,
-             const std::vector<SampleBatch>& batches, const std::function<void(double)>& progress)
-{
-    constexpr int tile_px = 512;
-    const int columns = (target.width + tile_px - 1) / tile_px;
-    const int rows = (target.height + tile_px - 1) / tile_px;
-    const double total = static_cast<double>(batches.size()) * columns * rows;
-    double done = 0.0;
-    for (const auto& batch : batches) {
-        setSamples(program, batch);
-        for (int y = 0; y < target.height; y += tile_px) {
-            for (int x = 0; x < target.width; x += tile_px) {
-                drawAdding(target, x, y, std::min(tile_px, target.width - x),
-                           std::min(tile_px, target.height - y));
-                if (progress) {
-                    glFinish();
-                    progress(++done / total);
-                }
-            }
-        }
-    }
-    glFinish();
 }
 
 // A #version line that names no other language than ours is left out: the host writes its own first line.
@@ -95,49 +61,27 @@ void finish(Still& still, float scale, double raysScale)
     still.nonfinite = countNonfinite(still.picture);
 }
 
-PreparedScene prepare(const Scene& scene, const StillSettings& settings)
-{
-    PreparedScene prepared;
-    prepared.scene = underLightType(scene);
-    prepared.plan = makePlan(prepared.scene);
-    prepared.packed = pack(prepared.scene, prepared.plan, View{settings.height, settings.samples});
-    loadPictures(prepared.scene, prepared.plan, prepared.packed);
-    setCutOff(prepared.scene, prepared.plan, prepared.packed);
-    return prepared;
-}
-
 Still renderScene(const PreparedScene& prepared, const StillSettings& settings, const ContextInfo& context)
 {
-    const auto& [scene, plan, packed] = prepared;
     Still still;
+    Renderer renderer(prepared, settings, context);
+    still.phases.load = renderer.times().load;
+    still.phases.compile = renderer.times().compile;
+    still.phases.firstDraw = renderer.times().firstDraw;
+
     Stopwatch watch;
-    const auto batches = sampleBatches(settings.samples, loopIterations(plan, packed), context.software);
-    still.shader = assemble(scene, plan, packed, settings.glslFolder);
-    const DeviceScene device = upload(packed, plan);
-    const auto target = makeAccumulationTarget(settings.width, settings.height);
-    still.phases.load = watch.lap_ms();
-
-    const Program program = buildProgram(still.shader);
-    checkInterface(program, device, plan);
-    still.phases.compile = watch.lap_ms();
-
-    bind(program, device, packed, settings.width, settings.height);
-    setSamples(program, {0, 0}); // adds nothing, yet makes the driver compile
-    drawAdding(target, 0, 0, 1, 1);
-    glFinish();
-    still.phases.firstDraw = watch.lap_ms();
-
-    drawAll(program, target, batches, settings.progress);
+    renderer.draw(settings.progress);
     still.phases.draw = watch.lap_ms();
-    still.picture = readBack(target);
+    still.picture = renderer.read();
     finish(still, 1.0F / static_cast<float>(settings.samples), 1.0 / settings.samples);
     still.phases.read = watch.lap_ms();
 
-    still.textureBytes = device.textureBytes;
-    for (const auto& texture : device.textures)
+    still.shader = renderer.shader();
+    still.textureBytes = renderer.device().textureBytes;
+    for (const auto& texture : renderer.device().textures)
         still.textures.push_back(texture.uniform);
-    still.uniforms = keysOf(program.uniforms);
-    still.blocks = keysOf(program.uniformBlocks);
+    still.uniforms = keysOf(renderer.program().uniforms);
+    still.blocks = keysOf(renderer.program().uniformBlocks);
     return still;
 }
 

@@ -3,21 +3,17 @@
 
 #include "base/picture.h"
 #include "gl/context.h"
-#include "render/assemble.h"
+#include "render/prepare.h"
+#include "render/source_text.h"
 
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <string>
 
 namespace dioptre
 {
 
-struct StillSettings {
-    int width = 1280; // pixels
-    int height = 720; // pixels
-    int samples = 16; // a pixel
-    std::filesystem::path glslFolder;
+struct StillSettings : ViewSettings {
     std::function<void(double)> progress; // told the share that is drawn, 0..1; may be empty
 };
 
@@ -43,14 +39,6 @@ struct Still {
     std::vector<std::string> uniforms; // active, outside blocks
     std::vector<std::string> blocks;   // active uniform blocks
 };
-
-// A scene that is loaded, planned and packed for a size.
-struct PreparedScene {
-    Scene scene; // under its light type
-    Plan plan;
-    PackedScene packed;
-};
-PreparedScene prepare(const Scene& scene, const StillSettings& settings);
 
 // Draws on the current context. Throws badInput with the author's file and line when the shader does not
 // compile.

@@ -26,7 +26,7 @@ class GalleryShader : public testing::TestWithParam<std::filesystem::path>
 protected:
     SourceText shaderOf(const std::vector<std::string>& overrides) const
     {
-        const StillSettings settings{64, 36, 1, glslFolder(), {}};
+        const ViewSettings settings{64, 36, 1, glslFolder()};
         const auto prepared = prepare(loadScene(GetParam(), overrides), settings);
         return assemble(prepared.scene, prepared.plan, prepared.packed, settings.glslFolder);
     }
@@ -115,7 +115,7 @@ TEST(ShaderErrors, AnEditedFile_IsNamedWithItsLine)
     text.replace(text.find("vec3 radiance"), 13, "vec3 radianc3");
     std::ofstream(folder / "trace" / "sky.glsl") << text;
     contextFor("auto");
-    const StillSettings settings{16, 9, 1, folder, {}};
+    const StillSettings settings{{16, 9, 1, folder}, {}};
     try {
         renderScene(prepare(loadScene(galleryScenes().front(), {}), settings), settings, contextFor("auto"));
         FAIL() << "compiled";
@@ -136,7 +136,7 @@ TEST(ShaderErrors, AUniformThatNothingFeeds_IsReported)
     text.replace(text.find("vec3 skyRadiance"), 0, "uniform float u_stray;\n\n");
     text.replace(text.find("return radiance"), 15, "return u_stray * radiance");
     std::ofstream(folder / "trace" / "sky.glsl") << text;
-    const StillSettings settings{16, 9, 1, folder, {}};
+    const StillSettings settings{{16, 9, 1, folder}, {}};
     try {
         renderScene(prepare(loadScene(galleryScenes().front(), {}), settings), settings, contextFor("auto"));
         FAIL() << "u_stray was not noticed";

@@ -1,0 +1,29 @@
+// A scene made ready for a view of it: under its light type, planned, packed, its pictures loaded.
+#pragma once
+
+#include "kernel/packed_scene.h"
+#include "render/plan.h"
+
+#include <filesystem>
+
+namespace dioptre
+{
+
+// What is drawn of a scene, and from which sources.
+struct ViewSettings {
+    int width = 1280; // pixels
+    int height = 720; // pixels
+    int samples = 16; // a pixel
+    std::filesystem::path glslFolder;
+};
+
+struct PreparedScene {
+    Scene scene; // under its light type
+    Plan plan;
+    PackedScene packed;
+};
+
+// Throws badInput and inputMissing for faults in the scene's numbers and pictures.
+PreparedScene prepare(const Scene& scene, const ViewSettings& view);
+
+} // namespace dioptre

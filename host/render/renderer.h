@@ -1,0 +1,64 @@
+// A prepared scene on the device: assembled, uploaded, compiled, and ready to be drawn again and again.
+#pragma once
+
+#include "gl/context.h"
+#include "gl/target.h"
+#include "render/device_scene.h"
+#include "render/prepare.h"
+#include "render/samples.h"
+
+#include <functional>
+
+namespace dioptre
+{
+
+// What the constructor of a Renderer took; milliseconds.
+struct BuildTimes {
+    double load = 0.0;      // assembly and upload
+    double compile = 0.0;   // compile and link
+    double firstDraw = 0.0; // one pixel: drivers compile here
+};
+
+class Renderer
+{
+public:
+    // On the current context. `prepared` must outlive the renderer. Throws badInput with the author's file
+    // and line when the shader does not compile.
+    Renderer(const PreparedScene& prepared, const ViewSettings& view, const ContextInfo& context);
+
+    // Draws all samples of all pixels anew and returns when they are done. `progress` is told the share that
+    // is drawn, 0..1; it may be empty.
+    void draw(const std::function<void(double)>& progress = {});
+
+    // The sums of the samples in rgb, the rays traced in alpha; rows from the bottom up.
+    Picture read() const;
+
+    const BuildTimes& times() const
+    {
+        return times_;
+    }
+    const SourceText& shader() const
+    {
+        return shader_;
+    }
+    const DeviceScene& device() const
+    {
+        return device_;
+    }
+    const Program& program() const
+    {
+        return program_;
+    }
+
+private:
+    const PreparedScene& prepared_;
+    ViewSettings view_;
+    std::vector<SampleBatch> batches_;
+    SourceText shader_;
+    DeviceScene device_;
+    AccumulationTarget target_;
+    Program program_;
+    BuildTimes times_;
+};
+
+} // namespace dioptre
