@@ -12,12 +12,14 @@
 #include "kernel/lat_long.glsl"
 #include "kernel/footprint.glsl"
 #include "trace/uniforms.glsl"
+#include "generated/receive.glsl"
 #include "trace/path.glsl"
 #include "trace/camera.glsl"
 #include "trace/nearest.glsl"
 #include "generated/scene.glsl"
 #include "trace/surface.glsl"
 #include "trace/light.glsl"
+#include "generated/lights.glsl"
 #include "trace/sky.glsl"
 #include "trace/scatter.glsl"
 #include "generated/tree.glsl"
@@ -26,6 +28,9 @@ out vec4 o_sum; // rgb: radiance, a: rays traced; both summed over this draw's s
 
 void main()
 {
+#ifdef HAS_SHARED_VALUES
+    receiveShared();
+#endif
     vec2 centre_px = gl_FragCoord.xy + u_tile_origin_px;
     vec4 sum = vec4(0.0);
     for (int i = 0; i < u_sample_count; ++i)

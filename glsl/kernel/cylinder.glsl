@@ -1,7 +1,7 @@
 // Ray and cylinder, open or capped. `axis` is unit and runs from the base along `height`.
 
-// The line's stretch inside the infinite cylinder. With m = d x axis the distance of line and axis is |f.m| / |m|; the
-// half-chord is factored like the sphere's. A line parallel to the axis is inside for ever or never.
+// The line's stretch inside the infinite cylinder. With m = d x axis the distance of line and axis is |f.m| / |m|. A line
+// parallel to the axis is inside for ever or never.
 Span sideSpan(Ray ray, vec3 base, vec3 axis, float radius)
 {
     vec3 f = ray.origin - base;
@@ -9,22 +9,18 @@ Span sideSpan(Ray ray, vec3 base, vec3 axis, float radius)
     vec3 g = cross(f, axis);
     float mm = dot(m, m);
     float fromAxis = dot(g, g) - radius * radius;
+    bool parallel = mm == 0.0;
+    float perMm = 1.0 / (parallel ? 1.0 : mm);
+    float b = -dot(g, m) * perMm;
+    float fm = dot(f, m);
+    float discriminant = radius * radius - fm * fm * perMm;
+    float halfChord = sqrt(max(discriminant, 0.0) * perMm);
+    float larger = b >= 0.0 ? b + halfChord : b - halfChord;
+    float smaller = larger == 0.0 ? 0.0 : fromAxis * perMm / larger;
     Span span;
-    if (mm == 0.0) {
-        span.found = fromAxis <= 0.0;
-        span.near = -FAR_AWAY;
-        span.far = FAR_AWAY;
-    } else {
-        float b = -dot(g, m) / mm;
-        float distanceToAxis = abs(dot(f, m)) / sqrt(mm);
-        float discriminant = (radius - distanceToAxis) * (radius + distanceToAxis);
-        float halfChord = sqrt(max(discriminant, 0.0) / mm);
-        float larger = b >= 0.0 ? b + halfChord : b - halfChord;
-        float smaller = larger == 0.0 ? 0.0 : fromAxis / (mm * larger);
-        span.found = discriminant >= 0.0;
-        span.near = b >= 0.0 ? smaller : larger;
-        span.far = b >= 0.0 ? larger : smaller;
-    }
+    span.found = parallel ? fromAxis <= 0.0 : discriminant >= 0.0;
+    span.near = parallel ? -FAR_AWAY : min(smaller, larger);
+    span.far = parallel ? FAR_AWAY : max(smaller, larger);
     return span;
 }
 
@@ -33,26 +29,20 @@ Span slabSpan(Ray ray, vec3 base, vec3 axis, float height)
 {
     float z = dot(ray.origin - base, axis);
     float dz = dot(ray.direction, axis);
+    bool parallel = dz == 0.0;
+    float perDz = 1.0 / (parallel ? 1.0 : dz);
+    float toBase = -z * perDz;
+    float toTop = (height - z) * perDz;
     Span span;
-    if (dz == 0.0) {
-        span.found = z >= 0.0 && z <= height;
-        span.near = -FAR_AWAY;
-        span.far = FAR_AWAY;
-    } else {
-        float toBase = -z / dz;
-        float toTop = (height - z) / dz;
-        span.found = true;
-        span.near = min(toBase, toTop);
-        span.far = max(toBase, toTop);
-    }
+    span.found = !parallel || (z >= 0.0 && z <= height);
+    span.near = parallel ? -FAR_AWAY : min(toBase, toTop);
+    span.far = parallel ? FAR_AWAY : max(toBase, toTop);
     return span;
 }
 
 // The capped cylinder is where both spans overlap, so side and caps meet at the rim without a gap.
-Span cappedCylinderSpan(Ray ray, vec3 base, vec3 axis, float radius, float height)
+Span commonSpan(Span side, Span slab)
 {
-    Span side = sideSpan(ray, base, axis, radius);
-    Span slab = slabSpan(ray, base, axis, height);
     Span span;
     span.near = max(side.near, slab.near);
     span.far = min(side.far, slab.far);
@@ -60,9 +50,19 @@ Span cappedCylinderSpan(Ray ray, vec3 base, vec3 axis, float radius, float heigh
     return span;
 }
 
+Span cappedCylinderSpan(Ray ray, vec3 base, vec3 axis, float radius, float height)
+{
+    return commonSpan(sideSpan(ray, base, axis, radius), slabSpan(ray, base, axis, height));
+}
+
+// Where the slab bounds the span, the ray meets a cap.
 Crossing cappedCylinderCrossing(Ray ray, int object, vec3 base, vec3 axis, float radius, float height)
 {
-    return firstOfSpan(cappedCylinderSpan(ray, base, axis, radius, height), ray, object);
+    Span side = sideSpan(ray, base, axis, radius);
+    Span slab = slabSpan(ray, base, axis, height);
+    Crossing crossing = firstOfSpan(commonSpan(side, slab), ray, object);
+    crossing.cap = crossing.inside ? slab.far < side.far : slab.near > side.near;
+    return crossing;
 }
 
 // An open cylinder is a wall without ends: the near wall if the ray meets it between the ends, else the far wall, seen
@@ -81,23 +81,6 @@ Crossing openCylinderCrossing(Ray ray, int object, vec3 base, vec3 axis, float r
     crossing.found = (outer || inner) && ray.from != 2 * object;
     crossing.t = outer ? side.near : max(side.far, 0.0);
     crossing.inside = !outer;
+    crossing.cap = false;
     return crossing;
-}
-
-// The outward unit normal of the side where the ray enters (or, for `far`, leaves) the infinite cylinder.
-vec3 sideNormal(Ray ray, vec3 base, vec3 axis, float radius, bool far)
-{
-    Span side = sideSpan(ray, base, axis, radius);
-    vec3 g = (ray.origin - base) + (far ? side.far : side.near) * ray.direction;
-    return normalize(g - dot(g, axis) * axis);
-}
-
-// The outward unit normal of a capped cylinder: a cap's where the slab bounds the span, the side's elsewhere.
-vec3 cappedCylinderNormal(Ray ray, vec3 base, vec3 axis, float radius, float height, bool far)
-{
-    Span side = sideSpan(ray, base, axis, radius);
-    Span slab = slabSpan(ray, base, axis, height);
-    bool onCap = far ? slab.far < side.far : slab.near > side.near;
-    bool onTop = (dot(ray.direction, axis) > 0.0) == far;
-    return onCap ? (onTop ? axis : -axis) : sideNormal(ray, base, axis, radius, far);
 }

@@ -8,6 +8,7 @@ Crossing planeCrossing(Ray ray, int object, vec3 point, vec3 normal)
     Crossing crossing;
     crossing.t = height / (approach == 0.0 ? 1.0 : approach);
     crossing.inside = approach > 0.0;
+    crossing.cap = false;
     crossing.found =
         approach != 0.0 && crossing.t > 0.0 && ray.from != 2 * object && ray.from != 2 * object + 1;
     return crossing;

@@ -14,6 +14,7 @@ struct Crossing {
     bool found;
     float t;     // along the direction, metres, >= 0
     bool inside; // met from within a solid, or from behind a flat shape
+    bool cap;    // met on a flat end of a solid that is round elsewhere
 };
 
 // Where a line is inside a convex solid: near <= far, signed, along the direction.
@@ -32,6 +33,7 @@ Crossing firstOfSpan(Span span, Ray ray, int object)
     Crossing crossing;
     crossing.t = enters ? span.near : max(span.far, 0.0);
     crossing.inside = !enters;
+    crossing.cap = false;
     crossing.found = (startsWithin || (span.found && span.far > 0.0)) && ray.from != 2 * object;
     return crossing;
 }

@@ -27,8 +27,3 @@ const int MODEL_BLINN = 2;
 const int SHADOW_OPAQUE = 0;
 const int SHADOW_TINTED = 1;
 const int SHADOW_NONE = 2;
-
-// Light kinds; ambient and directional ambient light is summed by the host into u_ambient.
-const int LIGHT_DIRECTIONAL = 0;
-const int LIGHT_POINT = 1;
-const int LIGHT_SPOT = 2;

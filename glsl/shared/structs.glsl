@@ -31,8 +31,10 @@ struct Material {
     vec4 shadow_absorption; // rgb: per metre, less that of the medium outside; w: transmit
 };
 
+// By kind: directional lights, points, spots, glowing spheres. Ambient and directional ambient light is summed by the host
+// into u_ambient.
 struct Light {
-    vec4 position;    // xyz; w: kind
+    vec4 position;    // xyz
     vec4 direction;   // xyz: unit, along which the light travels; w: cosine of the cone's half-angle
     vec4 ambient;     // rgb; w: exponent inside the cone
     vec4 diffuse;     // rgb; w: object that glows, -1 for none

@@ -22,36 +22,27 @@ vec4 traceHeaviestFirst(Path eye)
         Scatter found = scatter(current);
         sum += vec4(found.radiance, 1.0);
         bool through = heavier(found.refracted, found.reflected);
-        current = found.reflected;
-        Path waiting = found.refracted;
-        if (through) {
-            current = found.refracted;
-            waiting = found.reflected;
-        }
+        current = chosen(through, found.refracted, found.reflected);
+        Path waiting = chosen(through, found.reflected, found.refracted);
         // The pool's first and the heavier of the new rays: one is traced next, the other waits.
-        if (!heavier(current, pool[0])) {
-            Path first = pool[0];
-            pool[0] = current;
-            current = first;
-            for (int i = 1; i < POOL_SLOTS; ++i) {
-                if (!heavier(pool[i - 1], pool[i])) {
-                    Path newer = pool[i - 1];
-                    pool[i - 1] = pool[i];
-                    pool[i] = newer;
-                }
-            }
-        }
+        bool pooled = !heavier(current, pool[0]);
+        Path first = pool[0];
+        pool[0] = chosen(pooled, current, first);
+        current = chosen(pooled, first, current);
         if (!worthTracing(current))
             break;
+        for (int i = 1; i < POOL_SLOTS; ++i) {
+            bool sinks = pooled && !heavier(pool[i - 1], pool[i]);
+            Path newer = pool[i - 1];
+            pool[i - 1] = chosen(sinks, pool[i], newer);
+            pool[i] = chosen(sinks, newer, pool[i]);
+        }
         // The lighter new ray sinks to its place; what sinks out of the pool is lost.
-        if (worthTracing(waiting)) {
-            for (int i = 0; i < POOL_SLOTS; ++i) {
-                if (heavier(waiting, pool[i])) {
-                    Path lighter = pool[i];
-                    pool[i] = waiting;
-                    waiting = lighter;
-                }
-            }
+        for (int i = 0; i < POOL_SLOTS; ++i) {
+            bool takes = worthTracing(waiting) && heavier(waiting, pool[i]);
+            Path lighter = pool[i];
+            pool[i] = chosen(takes, waiting, lighter);
+            waiting = chosen(takes, lighter, waiting);
         }
     }
     return sum;

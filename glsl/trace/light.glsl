@@ -27,79 +27,130 @@ float coneStrength(Light light, vec3 towards)
 }
 #endif
 
-Incidence incidenceOf(Light light, vec3 position)
+#ifdef HAS_DIRECTIONAL_LIGHT
+Incidence directionalIncidence(Light light)
 {
     Incidence incidence;
     incidence.towards = -light.direction.xyz;
     incidence.distance = FAR_AWAY;
     incidence.strength = 1.0;
-#ifdef HAS_PLACED_LIGHT
-    int kind = int(light.position.w);
-    if (kind != LIGHT_DIRECTIONAL) {
-        vec3 offset = light.position.xyz - position;
-        float distance = length(offset);
-        incidence.towards = distance > 0.0 ? offset / distance : vec3(0.0, 1.0, 0.0);
-        incidence.distance = distance;
-        incidence.strength = attenuation(light, distance);
-    }
-#endif
-#ifdef HAS_SPOT_LIGHT
-    if (kind == LIGHT_SPOT)
-        incidence.strength *= coneStrength(light, incidence.towards);
-#endif
     return incidence;
 }
+#endif
+
+#ifdef HAS_PLACED_LIGHT
+Incidence pointIncidence(Light light, vec3 position)
+{
+    vec3 offset = light.position.xyz - position;
+    float distance = length(offset);
+    Incidence incidence;
+    incidence.towards = distance > 0.0 ? offset / distance : vec3(0.0, 1.0, 0.0);
+    incidence.distance = distance;
+    incidence.strength = attenuation(light, distance);
+    return incidence;
+}
+#endif
+
+#ifdef HAS_SPOT_LIGHT
+Incidence spotIncidence(Light light, vec3 position)
+{
+    Incidence incidence = pointIncidence(light, position);
+    incidence.strength *= coneStrength(light, incidence.towards);
+    return incidence;
+}
+#endif
+
+#ifdef HAS_ANY_AMBIENT
+// What a surface reflects of ambient light.
+vec3 ambientColour(Surface surface, Material material)
+{
+    return material.ambient.w > 0.0 ? surface.colour : material.ambient.xyz;
+}
+#endif
 
 #ifdef HAS_HIGHLIGHT
 // Highlight of the material's model, times its specular colour.
 vec3 highlight(Surface surface, Material material, vec3 toLight, vec3 toViewer)
 {
+    int model = int(material.emission.w);
     float lobe = 0.0;
 #ifdef HAS_PHONG
-    if (int(material.emission.w) == MODEL_PHONG)
-        lobe = phongLobe(surface.normal, toLight, toViewer, material.specular.w);
+    float phong = phongLobe(surface.normal, toLight, toViewer, material.specular.w);
+    lobe = model == MODEL_PHONG ? phong : lobe;
 #endif
 #ifdef HAS_BLINN
-    if (int(material.emission.w) == MODEL_BLINN)
-        lobe = blinnLobe(surface.normal, toLight, toViewer, material.specular.w);
+    float blinn = blinnLobe(surface.normal, toLight, toViewer, material.specular.w);
+    lobe = model == MODEL_BLINN ? blinn : lobe;
 #endif
     return lobe * material.specular.xyz;
 }
 #endif
 
-// Radiance towards the viewer by ambient, diffuse and specular reflection.
-vec3 localRadiance(Surface surface, Material material, Ray ray, int object, bool inside)
+#ifdef HAS_LIGHTS
+// Radiance towards the viewer from one light by diffuse and specular reflection; `glowing` is the object whose light it is,
+// -1 for none.
+vec3 lightReflected(Light light, Incidence incidence, int glowing, Surface surface, Material material, Ray ray,
+                    int object, bool inside)
+{
+    float cosine = dot(surface.normal, incidence.towards);
+    vec3 reflected = light.diffuse.xyz * surface.colour * max(cosine, 0.0);
+#ifdef HAS_HIGHLIGHT
+    reflected += light.specular.xyz * highlight(surface, material, incidence.towards, -ray.direction);
+#endif
+    vec3 arriving = vec3(cosine > 0.0 ? incidence.strength : 0.0);
+#ifdef HAS_SHADOWS
+    Ray toLight;
+    toLight.origin = surface.position;
+    toLight.direction = incidence.towards;
+    toLight.from = 2 * object + (inside ? 1 : 0);
+    // Media stand in each other rightly only where the scene says so: never more than all of the light.
+    arriving *= min(lightThrough(toLight, incidence.distance, glowing), vec3(1.0));
+#endif
+    return arriving * reflected;
+}
+#endif
+
+#ifdef HAS_LIGHT_AMBIENT
+// Radiance towards the viewer from the ambient part of a point or spot light.
+vec3 ambientReflected(Light light, Incidence incidence, Surface surface, Material material)
+{
+    return incidence.strength * light.ambient.xyz * ambientColour(surface, material);
+}
+#endif
+
+#ifdef HAS_LIGHT_LOOPS
+// Radiance towards the viewer from every light. They stand in u_lights by kind, so that no light is asked what it is.
+vec3 lightsReflected(Surface surface, Material material, Ray ray, int object, bool inside)
 {
     vec3 radiance = vec3(0.0);
-#ifdef HAS_ANY_AMBIENT
-    vec3 ambientColour = material.ambient.w > 0.0 ? surface.colour : material.ambient.xyz;
+#ifdef HAS_DIRECTIONAL_LIGHT
+    for (int i = 0; i < FIRST_POINT_LIGHT; ++i)
+        radiance += lightReflected(u_lights[i], directionalIncidence(u_lights[i]), -1, surface, material, ray, object,
+                                   inside);
 #endif
-#ifdef HAS_AMBIENT
-    radiance += u_ambient * ambientColour;
-#endif
-#ifdef HAS_LIGHTS
-    for (int i = 0; i < LIGHT_COUNT; ++i) {
-        Light light = u_lights[i];
-        Incidence incidence = incidenceOf(light, surface.position);
+#ifdef HAS_POINT_LIGHT
+    for (int i = FIRST_POINT_LIGHT; i < FIRST_SPOT_LIGHT; ++i) {
+        Incidence incidence = pointIncidence(u_lights[i], surface.position);
+        radiance += lightReflected(u_lights[i], incidence, -1, surface, material, ray, object, inside);
 #ifdef HAS_LIGHT_AMBIENT
-        radiance += incidence.strength * light.ambient.xyz * ambientColour;
+        radiance += ambientReflected(u_lights[i], incidence, surface, material);
 #endif
-        float cosine = dot(surface.normal, incidence.towards);
-        vec3 reflected = light.diffuse.xyz * surface.colour * max(cosine, 0.0);
-#ifdef HAS_HIGHLIGHT
-        reflected += light.specular.xyz * highlight(surface, material, incidence.towards, -ray.direction);
-#endif
-        vec3 arriving = vec3(cosine > 0.0 ? incidence.strength : 0.0);
-#ifdef HAS_SHADOWS
-        Ray toLight;
-        toLight.origin = surface.position;
-        toLight.direction = incidence.towards;
-        toLight.from = 2 * object + (inside ? 1 : 0);
-        // Media stand in each other rightly only where the scene says so: never more than all of the light.
-        arriving *= min(lightThrough(toLight, incidence.distance, int(light.diffuse.w)), vec3(1.0));
-#endif
-        radiance += arriving * reflected;
     }
+#endif
+#ifdef HAS_SPOT_LIGHT
+    for (int i = FIRST_SPOT_LIGHT; i < FIRST_GLOW; ++i) {
+        Incidence incidence = spotIncidence(u_lights[i], surface.position);
+        radiance += lightReflected(u_lights[i], incidence, -1, surface, material, ray, object, inside);
+#ifdef HAS_LIGHT_AMBIENT
+        radiance += ambientReflected(u_lights[i], incidence, surface, material);
+#endif
+    }
+#endif
+#ifdef HAS_GLOW
+    for (int i = FIRST_GLOW; i < LIGHT_COUNT; ++i)
+        radiance += lightReflected(u_lights[i], pointIncidence(u_lights[i], surface.position),
+                                   int(u_lights[i].diffuse.w), surface, material, ray, object, inside);
 #endif
     return radiance;
 }
+#endif

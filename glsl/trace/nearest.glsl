@@ -4,6 +4,7 @@ struct Nearest {
     float t;     // metres along the ray; FAR_AWAY where nothing is met
     int object;  // -1 where nothing is met
     bool inside; // as Crossing.inside
+    bool cap;    // as Crossing.cap
 };
 
 Nearest nothingYet()
@@ -12,18 +13,25 @@ Nearest nothingYet()
     nearest.t = FAR_AWAY;
     nearest.object = -1;
     nearest.inside = false;
+    nearest.cap = false;
     return nearest;
+}
+
+// The crossing in place of what was nearest so far.
+Nearest replacedIf(bool better, Nearest nearest, Crossing crossing, int object)
+{
+    Nearest result;
+    result.t = better ? crossing.t : nearest.t;
+    result.object = better ? object : nearest.object;
+    result.inside = better ? crossing.inside : nearest.inside;
+    result.cap = better ? crossing.cap : nearest.cap;
+    return result;
 }
 
 // The nearer of both; at equal distance the one that was there first, so objects are asked in order of their ids.
 Nearest nearer(Nearest nearest, Crossing crossing, int object)
 {
-    bool better = crossing.found && crossing.t < nearest.t;
-    Nearest result;
-    result.t = better ? crossing.t : nearest.t;
-    result.object = better ? object : nearest.object;
-    result.inside = better ? crossing.inside : nearest.inside;
-    return result;
+    return replacedIf(crossing.found && crossing.t < nearest.t, nearest, crossing, object);
 }
 
 // 0 where the crossing stands between a surface and a light at that distance, else 1.

@@ -25,3 +25,26 @@ bool worthTracing(Path path)
 {
     return priority(path) > 0.0 && priority(path) >= u_cut_off;
 }
+
+#ifdef HAS_REFRACTION
+// The first where `first` holds, else the second. Selects in place of branches: software drivers run both sides of a branch,
+// and pay for the branch itself on top.
+Path chosen(bool first, Path a, Path b)
+{
+    Path result;
+    result.ray.origin = first ? a.ray.origin : b.ray.origin;
+    result.ray.direction = first ? a.ray.direction : b.ray.direction;
+    result.ray.from = first ? a.ray.from : b.ray.from;
+    result.weight = first ? a.weight : b.weight;
+#ifdef HAS_PICTURES
+    result.travelled = first ? a.travelled : b.travelled;
+#endif
+#ifdef HAS_ABSORPTION
+    result.medium = first ? a.medium : b.medium;
+#endif
+#ifdef HAS_DEPTH_LIMIT
+    result.bounces = first ? a.bounces : b.bounces;
+#endif
+    return result;
+}
+#endif

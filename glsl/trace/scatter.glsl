@@ -33,36 +33,51 @@ Path continued(Path path, Nearest hit, vec3 position, vec3 direction, vec3 weigh
 }
 #endif
 
+#ifdef HAS_MIRROR_RAY
 // The share of light that goes through a surface instead of coming back from within it.
 float transmitOf(Material material)
 {
+#ifdef HAS_REFRACTION
     return material.shadow_absorption.w;
+#else
+    return 0.0;
+#endif
 }
+#endif
 
+#ifdef HAS_LOCAL
+// Radiance towards the viewer from all lights.
+vec3 localRadiance(Surface surface, Material material, Ray ray, int object, bool inside)
+{
+    vec3 radiance = vec3(0.0);
+#ifdef HAS_AMBIENT
+    radiance += u_ambient * ambientColour(surface, material);
+#endif
+#ifdef HAS_LIGHTS
+    radiance += lightsReflected(surface, material, ray, object, inside);
+#endif
+    return radiance;
+}
+#endif
+
+// Whatever a ray does not meet is computed all the same and not taken: see chosen().
 Scatter scatter(Path path)
 {
     Scatter result;
     Nearest hit = nearestHit(path.ray);
+    bool missed = hit.object < 0;
     vec3 weight = path.weight;
 #ifdef HAS_ABSORPTION
     // Beer-Lambert over the stretch that the ray has run through its medium.
-    if (path.medium >= 0)
-        weight *= exp(-u_materials[path.medium].absorption.xyz * hit.t);
+    weight *= exp(-absorptionOf(path.medium) * hit.t);
 #endif
-    if (hit.object < 0) {
-        result.radiance = weight * skyRadiance(path.ray.direction);
-#ifdef HAS_MIRROR_RAY
-        result.reflected = path;
-        result.reflected.weight = vec3(0.0);
-#endif
-#ifdef HAS_REFRACTION
-        result.refracted = path;
-        result.refracted.weight = vec3(0.0);
-#endif
-        return result;
-    }
-#ifdef HAS_OBJECTS
-    Material material = u_materials[materialOf(hit.object)];
+    vec3 sky = skyRadiance(path.ray.direction);
+#ifndef HAS_OBJECTS
+    result.radiance = weight * sky;
+#else
+    hit.t = missed ? 0.0 : hit.t;
+    hit.object = max(hit.object, 0);
+    Material material = materialOf(hit.object);
     Surface surface = surfaceAt(path, hit, material);
     vec3 local = vec3(0.0);
 #ifdef HAS_LOCAL
@@ -74,8 +89,9 @@ Scatter scatter(Path path)
 #ifdef HAS_EMISSION
     local = local + material.emission.xyz;
 #endif
-    result.radiance = weight * local;
+    result.radiance = weight * (missed ? sky : local);
 #ifdef HAS_MIRROR_RAY
+    vec3 onward = missed ? vec3(0.0) : weight;
     float c = clamp(-dot(path.ray.direction, surface.normal), 0.0, 1.0);
     vec3 reflection = material.mirror.xyz;
 #ifdef HAS_REFRACTION
@@ -86,13 +102,13 @@ Scatter scatter(Path path)
     reflection += passing * reflectance;
     vec3 through = refractedDirection(path.ray.direction, surface.normal, c, eta, m);
     result.refracted =
-        continued(path, hit, surface.position, through, weight * (passing * (1.0 - reflectance)), !hit.inside);
+        continued(path, hit, surface.position, through, onward * (passing * (1.0 - reflectance)), !hit.inside);
 #ifdef HAS_ABSORPTION
-    result.refracted.medium = hit.inside ? int(material.absorption.w) : materialOf(hit.object);
+    result.refracted.medium = hit.inside ? int(material.absorption.w) : mediumOf(hit.object);
 #endif
 #endif
     vec3 mirrored = normalize(path.ray.direction + 2.0 * c * surface.normal);
-    result.reflected = continued(path, hit, surface.position, mirrored, weight * reflection, hit.inside);
+    result.reflected = continued(path, hit, surface.position, mirrored, onward * reflection, hit.inside);
 #endif
 #endif
     return result;

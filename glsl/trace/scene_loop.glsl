@@ -1,21 +1,5 @@
-// The scene as a loop per kind of shape over a table: the form for `trace.form = loop` and for the double-precision
-// reference. Shapes stand sorted by kind: u_kind_first[k].x up to u_kind_first[k + 1].x are those of kind k, in the order of
-// the file. u_index[i]: x: the slot of object i in u_shapes; y: its kind; z: its material; w: the object in slot i.
-
-Shape shapeOf(int object)
-{
-    return u_shapes[int(u_index[object].x)];
-}
-
-int kindOf(int object)
-{
-    return int(u_index[object].y);
-}
-
-int materialOf(int object)
-{
-    return int(u_index[object].z);
-}
+// The scene as a loop per kind of shape over its table: the form for `trace.form = loop` and for the double-precision
+// reference.
 
 int firstOfKind(int kind)
 {
@@ -26,11 +10,7 @@ int firstOfKind(int kind)
 Nearest nearerOfAnyOrder(Nearest nearest, Crossing crossing, int object)
 {
     bool better = crossing.found && (crossing.t < nearest.t || (crossing.t == nearest.t && object < nearest.object));
-    Nearest result;
-    result.t = better ? crossing.t : nearest.t;
-    result.object = better ? object : nearest.object;
-    result.inside = better ? crossing.inside : nearest.inside;
-    return result;
+    return replacedIf(better, nearest, crossing, object);
 }
 
 // Where the ray meets one object, whatever its kind.
@@ -42,6 +22,7 @@ Crossing crossingOf(Ray ray, int object, int kind, Shape shape)
     crossing.found = false;
     crossing.t = FAR_AWAY;
     crossing.inside = false;
+    crossing.cap = false;
 #ifdef HAS_SPHERE
     if (kind == KIND_SPHERE)
         crossing = sphereCrossing(ray, object, anchor, shape.anchor.w);
@@ -115,14 +96,14 @@ vec3 lightThrough(Ray ray, float distance, int glowing)
 {
     vec3 through = vec3(1.0);
     for (int object = 0; object < SHAPE_COUNT; ++object) {
-        int shadow = int(u_materials[materialOf(object)].shadow_tint.w);
+        int shadow = int(materialOf(object).shadow_tint.w);
         if (object == glowing || shadow == SHADOW_NONE)
             continue;
         int kind = kindOf(object);
         Shape shape = shapeOf(object);
 #ifdef HAS_TINTED_SHADOWS
         if (shadow == SHADOW_TINTED)
-            through *= tintOf(ray, object, kind, shape, distance, u_materials[materialOf(object)]);
+            through *= tintOf(ray, object, kind, shape, distance, materialOf(object));
         else
             through *= unblocked(crossingOf(ray, object, kind, shape), distance);
 #else

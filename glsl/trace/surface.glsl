@@ -6,21 +6,29 @@ struct Surface {
     vec3 colour;   // reflectance, with picture and pattern
 };
 
-// The unit normal on the outer (front) side.
+// The unit normal on the outer (front) side. Round shapes take it from the place relative to their anchor, less its part
+// along the axis on a cylinder's side; never from the difference of two places of the scene.
 vec3 outwardNormal(Ray ray, Nearest hit, int kind, Shape shape)
 {
     vec3 normal = shape.axis.xyz;
+#ifdef HAS_ROUND_SHAPE
+    vec3 place = (ray.origin - shape.anchor.xyz) + hit.t * ray.direction;
+    bool round = false;
 #ifdef HAS_SPHERE
-    if (kind == KIND_SPHERE)
-        normal = sphereNormal(ray, shape.anchor.xyz, shape.anchor.w, hit.inside);
+    round = kind == KIND_SPHERE;
 #endif
-#ifdef HAS_OPEN_CYLINDER
-    if (kind == KIND_OPEN_CYLINDER)
-        normal = sideNormal(ray, shape.anchor.xyz, shape.axis.xyz, shape.anchor.w, hit.inside);
+#ifdef HAS_CYLINDER
+    bool side = (kind == KIND_OPEN_CYLINDER || kind == KIND_CAPPED_CYLINDER) && !hit.cap;
+    place = side ? place - dot(place, normal) * normal : place;
+    round = round || side;
 #endif
+    vec3 radial = normalize(place);
 #ifdef HAS_CAPPED_CYLINDER
-    if (kind == KIND_CAPPED_CYLINDER)
-        normal = cappedCylinderNormal(ray, shape.anchor.xyz, shape.axis.xyz, shape.anchor.w, shape.axis.w, hit.inside);
+    // A ray that runs up the axis leaves through the top and enters through the base.
+    bool base = hit.cap && (dot(ray.direction, normal) > 0.0) != hit.inside;
+    normal = base ? -normal : normal;
+#endif
+    normal = round ? radial : normal;
 #endif
     return normal;
 }
@@ -30,8 +38,7 @@ vec3 hitPosition(Ray ray, Nearest hit, int kind, Shape shape, vec3 outward)
 {
     vec3 position = ray.origin + hit.t * ray.direction;
 #ifdef HAS_SPHERE
-    if (kind == KIND_SPHERE)
-        position = shape.anchor.xyz + shape.anchor.w * outward;
+    position = kind == KIND_SPHERE ? shape.anchor.xyz + shape.anchor.w * outward : position;
 #endif
     return position;
 }
@@ -45,6 +52,17 @@ struct Coordinates {
     vec2 extent;
     vec2 wraps;
 };
+
+// The first where `first` holds, else the second.
+Coordinates chosen(bool first, Coordinates a, Coordinates b)
+{
+    Coordinates result;
+    result.metres = first ? a.metres : b.metres;
+    result.picture = first ? a.picture : b.picture;
+    result.extent = first ? a.extent : b.extent;
+    result.wraps = first ? a.wraps : b.wraps;
+    return result;
+}
 
 // A point of the texture frame's equator and height: longitude 0..1 as latLong() and the arc's length.
 Coordinates sphereCoordinates(vec3 outward, Shape shape)
@@ -80,10 +98,7 @@ Coordinates cylinderCoordinates(vec3 offset, vec3 outward, Shape shape)
     side.metres = (side.picture - vec2(0.5, 0.0)) * side.extent;
     side.wraps = vec2(1.0, 0.0);
     Coordinates cap = diskCoordinates(offset, shape.along_u.xyz, -shape.along_v.xyz, shape.anchor.w);
-    Coordinates result = side;
-    if (onCap)
-        result = cap;
-    return result;
+    return chosen(onCap, cap, side);
 }
 
 // Natural coordinates 0..1 along two edges of the given lengths, turned about the picture's middle.
@@ -111,6 +126,7 @@ Coordinates planeCoordinates(vec3 offset, Shape shape, float size)
     return coordinates;
 }
 
+// Only kinds of shapes that wear a picture or a pattern take part.
 Coordinates coordinatesOf(vec3 position, vec3 outward, int kind, Shape shape, Material material)
 {
     vec3 offset = position - shape.anchor.xyz;
@@ -119,32 +135,35 @@ Coordinates coordinatesOf(vec3 position, vec3 outward, int kind, Shape shape, Ma
     coordinates.picture = vec2(0.0);
     coordinates.extent = vec2(1.0);
     coordinates.wraps = vec2(0.0);
-#ifdef HAS_PLANE
-    if (kind == KIND_PLANE)
-        coordinates = planeCoordinates(offset, shape, material.checker_first.w);
+#ifdef HAS_PLANE_COORDINATES
+    coordinates =
+        chosen(kind == KIND_PLANE, planeCoordinates(offset, shape, material.checker_first.w), coordinates);
 #endif
-#ifdef HAS_SPHERE
-    if (kind == KIND_SPHERE)
-        coordinates = sphereCoordinates(outward, shape);
+#ifdef HAS_SPHERE_COORDINATES
+    coordinates = chosen(kind == KIND_SPHERE, sphereCoordinates(outward, shape), coordinates);
 #endif
-#ifdef HAS_CYLINDER
-    if (kind == KIND_OPEN_CYLINDER || kind == KIND_CAPPED_CYLINDER)
-        coordinates = cylinderCoordinates(offset, outward, shape);
+#ifdef HAS_CYLINDER_COORDINATES
+    coordinates = chosen(kind == KIND_OPEN_CYLINDER || kind == KIND_CAPPED_CYLINDER,
+                         cylinderCoordinates(offset, outward, shape), coordinates);
 #endif
-#ifdef HAS_DISK
-    if (kind == KIND_DISK)
-        coordinates = diskCoordinates(offset, shape.along_u.xyz, shape.along_v.xyz, shape.anchor.w);
+#ifdef HAS_DISK_COORDINATES
+    coordinates = chosen(kind == KIND_DISK,
+                         diskCoordinates(offset, shape.along_u.xyz, shape.along_v.xyz, shape.anchor.w), coordinates);
 #endif
-#ifdef HAS_RECTANGLE
-    if (kind == KIND_RECTANGLE)
-        coordinates = edgeCoordinates(vec2(dot(offset, shape.along_u.xyz), dot(offset, shape.along_v.xyz)),
-                                      vec2(shape.along_u.w, shape.along_v.w), vec2(shape.anchor.w, shape.axis.w));
+#ifdef HAS_RECTANGLE_COORDINATES
+    vec2 shares = vec2(dot(offset, shape.along_u.xyz), dot(offset, shape.along_v.xyz));
+    coordinates = chosen(kind == KIND_RECTANGLE,
+                         edgeCoordinates(shares, vec2(shape.along_u.w, shape.along_v.w),
+                                         vec2(shape.anchor.w, shape.axis.w)),
+                         coordinates);
 #endif
-#ifdef HAS_TRIANGLE
-    if (kind == KIND_TRIANGLE)
-        coordinates = edgeCoordinates(triangleShares(offset, shape.along_u.xyz - shape.anchor.xyz,
-                                                     shape.along_v.xyz - shape.anchor.xyz, shape.axis.xyz),
-                                      vec2(shape.along_u.w, shape.along_v.w), vec2(shape.anchor.w, shape.axis.w));
+#ifdef HAS_TRIANGLE_COORDINATES
+    vec2 corners = triangleShares(offset, shape.along_u.xyz - shape.anchor.xyz, shape.along_v.xyz - shape.anchor.xyz,
+                                  shape.axis.xyz);
+    coordinates = chosen(kind == KIND_TRIANGLE,
+                         edgeCoordinates(corners, vec2(shape.along_u.w, shape.along_v.w),
+                                         vec2(shape.anchor.w, shape.axis.w)),
+                         coordinates);
 #endif
     return coordinates;
 }
@@ -172,19 +191,18 @@ Surface surfaceAt(Path path, Nearest hit, Material material)
     Coordinates coordinates = coordinatesOf(surface.position, outward, kind, shape, material);
 #endif
 #ifdef HAS_CHECKER
-    if (material.checker.w > 0.0) {
-        bool second = checkerField(coordinates.metres, material.checker.w) > 0.5;
-        vec3 field = second ? material.checker.xyz : material.checker_first.xyz;
-        surface.colour *= field;
-    }
+    // An object without a pattern has fields of size 0, and its colour to itself.
+    float size = material.checker.w;
+    bool second = checkerField(coordinates.metres, size > 0.0 ? size : 1.0) > 0.5;
+    vec3 field = second ? material.checker.xyz : material.checker_first.xyz;
+    surface.colour *= size > 0.0 ? field : vec3(1.0);
 #endif
 #ifdef HAS_PICTURES
     // The footprint of a sample at this distance, as a share of the picture: a circle of the ellipse's area.
     float slant = max(abs(dot(path.ray.direction, outward)), 0.001);
     float footprint_m = u_camera.forward.w * (path.travelled + hit.t) / sqrt(slant);
-    if (material.colour.w >= 0.0)
-        surface.colour *= pictureColour(int(material.colour.w), coordinates.picture, coordinates.wraps,
-                                        footprint_m / coordinates.extent);
+    surface.colour *= pictureColour(int(material.colour.w), coordinates.picture, coordinates.wraps,
+                                    footprint_m / coordinates.extent);
 #endif
     return surface;
 }

@@ -85,9 +85,9 @@ std::map<std::string, GLuint> activeBlocks(GLuint program)
 
 } // namespace
 
-Program buildProgram(const std::string& fragmentText)
+Program buildProgram(const std::string& fragmentText, const std::string& vertexText)
 {
-    const Shader vertex = compile(GL_VERTEX_SHADER, fullScreenVertexShader());
+    const Shader vertex = compile(GL_VERTEX_SHADER, vertexText);
     const Shader fragment = compile(GL_FRAGMENT_SHADER, fragmentText);
     ProgramName name(glCreateProgram());
     glAttachShader(name.name(), vertex.name());
@@ -104,16 +104,14 @@ Program buildProgram(const std::string& fragmentText)
 
 // Vertices 0, 1, 2 at (-1, -1), (3, -1), (-1, 3): the viewport is the corner square of that triangle, so no
 // diagonal seam.
-const std::string& fullScreenVertexShader()
+std::string fullScreenMain(const std::string& statements)
 {
-    static const std::string text = R"(#version 330 core
-void main()
+    return R"(void main()
 {
     vec2 corner = vec2(float((gl_VertexID << 1) & 2), float(gl_VertexID & 2));
     gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);
-}
-)";
-    return text;
+)" + statements +
+           "}\n";
 }
 
 } // namespace dioptre

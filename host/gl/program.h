@@ -33,11 +33,12 @@ struct ShaderError {
     std::vector<LogMessage> messages;
 };
 
-// Compiles `fragmentText` (whole, with its #version) with the full-screen triangle's vertex shader and links
-// them. Throws ShaderError.
-Program buildProgram(const std::string& fragmentText);
+// main() of a vertex shader: one triangle that covers the viewport, from gl_VertexID alone. `statements` are
+// run for each of its three vertices.
+std::string fullScreenMain(const std::string& statements = "");
 
-// The vertex shader: one triangle that covers the viewport, from gl_VertexID alone.
-const std::string& fullScreenVertexShader();
+// Compiles `fragmentText` and `vertexText` (whole, with their #version) and links them. Throws ShaderError.
+Program buildProgram(const std::string& fragmentText,
+                     const std::string& vertexText = "#version 330 core\n" + fullScreenMain());
 
 } // namespace dioptre

@@ -54,6 +54,10 @@ inline double atan(double y, double x)
 {
     return std::atan2(y, x);
 }
+inline int max(int a, int b)
+{
+    return a < b ? b : a;
+}
 inline double min(double a, double b)
 {
     return b < a ? b : a;

@@ -40,7 +40,10 @@ enum class RayTree { single, chain, heaviestFirst, breadthFirst };
 struct PackedScene {
     std::vector<PackedObject> objects; // by object id
     std::vector<packed::Material> materials;
-    std::vector<packed::Light> lights;
+    std::vector<packed::Light> lights; // by kind: directional, points, spots, glowing spheres
+    int firstPoint = 0;                // index of the first light of its kind or a later one
+    int firstSpot = 0;
+    int firstGlow = 0;
     packed::Camera camera{};
     packed::Sky sky{};
     glm::dvec3 ambient{0.0};

@@ -22,11 +22,18 @@ namespace reference
 #define HAS_OPEN_CYLINDER
 #define HAS_CAPPED_CYLINDER
 #define HAS_CYLINDER
+#define HAS_ROUND_SHAPE
 #define HAS_PLANE
 #define HAS_DISK
 #define HAS_RECTANGLE
 #define HAS_TRIANGLE
 #define HAS_COORDINATES
+#define HAS_PLANE_COORDINATES
+#define HAS_SPHERE_COORDINATES
+#define HAS_CYLINDER_COORDINATES
+#define HAS_DISK_COORDINATES
+#define HAS_RECTANGLE_COORDINATES
+#define HAS_TRIANGLE_COORDINATES
 #define HAS_CHECKER
 #define HAS_PICTURES
 #define HAS_MIRROR_RAY
@@ -38,6 +45,10 @@ namespace reference
 #define HAS_AMBIENT
 #define HAS_LOCAL
 #define HAS_LIGHTS
+#define HAS_LIGHT_LOOPS
+#define HAS_DIRECTIONAL_LIGHT
+#define HAS_POINT_LIGHT
+#define HAS_GLOW
 #define HAS_PLACED_LIGHT
 #define HAS_SPOT_LIGHT
 #define HAS_LIGHT_AMBIENT
@@ -49,6 +60,9 @@ namespace reference
 #define HAS_SKY_GRADIENT
 #define HAS_SKY_PICTURE
 #define SHAPE_COUNT u_shape_count
+#define FIRST_POINT_LIGHT u_first_point
+#define FIRST_SPOT_LIGHT u_first_spot
+#define FIRST_GLOW u_first_glow
 #define LIGHT_COUNT u_light_count
 #define QUEUE_SLOTS 4096 // the largest budget: no more rays than that are ever asked for
 
@@ -64,7 +78,7 @@ using packed::Sky;
 
 // Set once before the threads start, read by all of them.
 static vec2 u_resolution;
-static int u_budget, u_depth, u_shape_count, u_light_count;
+static int u_budget, u_depth, u_shape_count, u_first_point, u_first_spot, u_first_glow, u_light_count;
 static double u_cut_off;
 static vec3 u_ambient;
 static Camera u_camera;
@@ -86,6 +100,8 @@ static vec4 textureLod(const Picture* picture, vec2 uv, double)
 
 static vec3 pictureColour(int picture, vec2 uv, vec2 wraps, vec2 footprint)
 {
+    if (picture < 0)
+        return vec3(1.0);
     const auto& levels = (*u_pictures)[static_cast<std::size_t>(picture)];
     const vec2 size(levels.front().width, levels.front().height);
     const double level = pictureLevel(footprint, size);
@@ -104,6 +120,7 @@ static vec3 pictureColour(int picture, vec2 uv, vec2 wraps, vec2 footprint)
 #include "trace/path.glsl"
 #include "trace/camera.glsl"
 #include "trace/nearest.glsl"
+#include "trace/scene_table.glsl"
 #include "trace/scene_loop.glsl"
 #include "trace/surface.glsl"
 #include "trace/light.glsl"
@@ -152,8 +169,14 @@ static void setUniforms(const PackedScene& scene, const ShapeTable& table, int w
     u_camera = scene.camera;
     u_sky = scene.sky;
     u_shape_count = static_cast<int>(scene.objects.size());
+    u_first_point = scene.firstPoint;
+    u_first_spot = scene.firstSpot;
+    u_first_glow = scene.firstGlow;
     u_light_count = static_cast<int>(scene.lights.size());
-    u_materials = scene.materials.data();
+    // An object that is not there is computed and not taken: see scatter().
+    static Material nothing{};
+    nothing.colour.w = -1.0;
+    u_materials = scene.materials.empty() ? &nothing : scene.materials.data();
     u_lights = scene.lights.data();
     u_shapes = table.shapes.data();
     u_index = table.index.data();
@@ -179,7 +202,11 @@ static void renderRow(const PackedScene& scene, int y, int samples, Picture& pic
 
 Picture renderReference(const PackedScene& scene, int width, int height, int samples)
 {
-    const ShapeTable table = shapeTable(scene);
+    ShapeTable table = shapeTable(scene);
+    if (scene.objects.empty()) {
+        table.shapes.emplace_back();
+        table.index.emplace_back(0.0);
+    }
     reference::setUniforms(scene, table, width, height);
     Picture picture;
     picture.width = width;

@@ -2,8 +2,11 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "gl/program.h"
+#include "render/lookup.h"
 #include "render/preprocess.h"
 #include "render/prune.h"
+#include "render/shared_values.h"
 
 #include <fmt/format.h>
 
@@ -17,25 +20,31 @@ namespace
 // The sizes of the tables, as macros.
 std::string countsText(const PackedScene& packed)
 {
-    return fmt::format("#define MATERIAL_COUNT {}\n#define LIGHT_COUNT {}\n#define SHAPE_COUNT {}\n"
-                       "#define POOL_SLOTS {}\n#define QUEUE_SLOTS {}\n\n",
-                       std::max<std::size_t>(1, packed.materials.size()), packed.lights.size(),
-                       std::max<std::size_t>(1, packed.objects.size()), packed.poolSlots, packed.budget);
+    return fmt::format(
+        "#define MATERIAL_COUNT {}\n#define FIRST_POINT_LIGHT {}\n#define FIRST_SPOT_LIGHT {}\n"
+        "#define FIRST_GLOW {}\n#define LIGHT_COUNT {}\n#define SHAPE_COUNT {}\n"
+        "#define POOL_SLOTS {}\n#define QUEUE_SLOTS {}\n\n",
+        std::max<std::size_t>(1, packed.materials.size()), packed.firstPoint, packed.firstSpot,
+        packed.firstGlow, packed.lights.size(), std::max<std::size_t>(1, packed.objects.size()),
+        packed.poolSlots, packed.budget);
 }
 
 // "colour = …" from one array; the layer is chosen by selects on the picture's index.
 std::string fetchText(const PictureGroup& group)
 {
     std::string layer = literal(0.0);
-    for (std::size_t i = 1; i < group.pictures.size(); ++i)
+    std::vector<std::string> tests = {fmt::format("picture == {}", group.pictures.front())};
+    for (std::size_t i = 1; i < group.pictures.size(); ++i) {
         layer =
             fmt::format("picture == {} ? {} : {}", group.pictures[i], literal(static_cast<double>(i)), layer);
+        tests.push_back(fmt::format("picture == {}", group.pictures[i]));
+    }
     return fmt::format(
-        "        vec2 size = vec2({}, {});\n"
-        "        float level = pictureLevel(footprint, size);\n"
-        "        float layer = {};\n"
-        "        colour = textureLod({}, vec3(withinPicture(uv, wraps, level, size), layer), level).xyz;\n",
-        literal(group.width), literal(group.height), layer, group.uniform);
+        "    size = vec2({}, {});\n"
+        "    level = pictureLevel(footprint, size);\n"
+        "    texel = textureLod({}, vec3(withinPicture(uv, wraps, level, size), {}), level).xyz;\n"
+        "    colour = {} ? texel : colour;\n",
+        literal(group.width), literal(group.height), group.uniform, layer, join(tests, " || "));
 }
 
 // pictureColour(): which array and layer a picture's index means.
@@ -45,15 +54,12 @@ std::string picturesText(const std::vector<PictureGroup>& groups)
     for (const auto& group : groups)
         text += fmt::format("uniform sampler2DArray {}; // {} x {} texels\n", group.uniform, group.width,
                             group.height);
-    text += "\n// Linear colour of a picture; `footprint` is a sample's size as a share of it.\n"
-            "vec3 pictureColour(int picture, vec2 uv, vec2 wraps, vec2 footprint)\n{\n"
-            "    vec3 colour = vec3(1.0);\n";
-    for (const auto& group : groups) {
-        std::vector<std::string> tests;
-        for (const auto picture : group.pictures)
-            tests.push_back(fmt::format("picture == {}", picture));
-        text += fmt::format("    if ({}) {{\n{}    }}\n", join(tests, " || "), fetchText(group));
-    }
+    text +=
+        "\n// Linear colour of a picture, white for none; `footprint` is a sample's size as a share of it.\n"
+        "vec3 pictureColour(int picture, vec2 uv, vec2 wraps, vec2 footprint)\n{\n"
+        "    vec3 colour = vec3(1.0);\n    vec3 texel;\n    vec2 size;\n    float level;\n";
+    for (const auto& group : groups)
+        text += fetchText(group);
     return text + "    return colour;\n}\n\n";
 }
 
@@ -95,11 +101,39 @@ std::string treeText(RayTree tree)
         treeFile(tree), treeFunction(tree));
 }
 
+// lightsReflected() as one call a light, or nothing where loops in trace/light.glsl do it.
+std::string lightsText(const PackedScene& packed, const Plan& plan)
+{
+    if (packed.lights.empty() || plan.has("light loops"))
+        return "";
+    std::string text =
+        "// Radiance towards the viewer from every light.\n"
+        "vec3 lightsReflected(Surface surface, Material material, Ray ray, int object, bool inside)\n"
+        "{\n    vec3 radiance = vec3(0.0);\n";
+    for (int i = 0; i < static_cast<int>(packed.lights.size()); ++i) {
+        const bool directional = i < packed.firstPoint;
+        const bool glows = i >= packed.firstGlow;
+        const auto light = fmt::format("u_lights[{}]", i);
+        const char* kind = directional ? "directional" : glows || i < packed.firstSpot ? "point" : "spot";
+        text += fmt::format("    Incidence incidence{0} = {1}Incidence({2}{3});\n"
+                            "    radiance += lightReflected({2}, incidence{0}, {4}, surface, material, ray, "
+                            "object, inside);\n",
+                            i, kind, light, directional ? "" : ", surface.position",
+                            static_cast<int>(packed.lights[static_cast<std::size_t>(i)].diffuse.w));
+        if (plan.has("ambient part of placed lights") && !directional && !glows)
+            text += fmt::format("    radiance += ambientReflected({}, incidence{}, surface, material);\n",
+                                light, i);
+    }
+    return text + "    return radiance;\n}\n\n";
+}
+
 std::string sceneText(const Scene& scene, const Plan& plan, const PackedScene& packed)
 {
     std::string text;
     if (plan.has("picture"))
         text += picturesText(pictureGroups(packed));
+    text += plan.has("geometry table") ? "#include \"trace/scene_table.glsl\"\n"
+                                       : lookupText(scene, packed, plan);
     if (plan.form == SceneForm::loop && plan.has("objects"))
         return text + "#include \"trace/scene_loop.glsl\"\n";
     return text + literalScene(scene, packed, plan);
@@ -128,6 +162,22 @@ std::vector<PictureGroup> pictureGroups(const PackedScene& packed)
     return groups;
 }
 
+namespace
+{
+
+// The version, the tables' sizes and `body` with its includes, less what main() does not reach.
+SourceText assembled(const PackedScene& packed, const SourceText& body, const PreprocessInput& input)
+{
+    SourceText source = linesOf(countsText(packed), "generated");
+    source.insert(source.end(), body.begin(), body.end());
+    SourceText result = linesOf("#version 330 core", "generated");
+    const SourceText pruned = prune(preprocess(source, input));
+    result.insert(result.end(), pruned.begin(), pruned.end());
+    return result;
+}
+
+} // namespace
+
 SourceText assemble(const Scene& scene, const Plan& plan, const PackedScene& packed,
                     const std::filesystem::path& glslFolder)
 {
@@ -135,15 +185,28 @@ SourceText assemble(const Scene& scene, const Plan& plan, const PackedScene& pac
     PreprocessInput input;
     input.folder = glslFolder;
     input.features = plan.defines;
-    input.generated["generated/scene.glsl"] = linesOf(sceneText(scene, plan, packed), "generated");
-    input.generated["generated/tree.glsl"] = linesOf(treeText(plan.tree), "generated");
-    SourceText source = linesOf(countsText(packed), "generated");
-    const SourceText body = linesOf(readFile(main), main.string());
-    source.insert(source.end(), body.begin(), body.end());
-    SourceText result = linesOf("#version 330 core", "generated");
-    const SourceText pruned = prune(preprocess(source, input));
-    result.insert(result.end(), pruned.begin(), pruned.end());
-    return result;
+    const auto generate = [&](const char* name, const std::string& text) {
+        input.generated[name] = linesOf(text, "generated");
+    };
+    generate("generated/receive.glsl", receiveText(plan.shared));
+    generate("generated/scene.glsl", sceneText(scene, plan, packed));
+    generate("generated/lights.glsl", lightsText(packed, plan));
+    generate("generated/tree.glsl", treeText(plan.tree));
+    return assembled(packed, linesOf(readFile(main), main.string()), input);
+}
+
+SourceText assembleVertex(const Plan& plan, const PackedScene& packed,
+                          const std::filesystem::path& glslFolder)
+{
+    const auto& values = plan.shared;
+    PreprocessInput input;
+    input.folder = glslFolder;
+    const std::string text =
+        values.empty() ? fullScreenMain()
+                       : "#include \"shared/constants.glsl\"\n#include \"shared/structs.glsl\"\n"
+                         "#include \"trace/uniforms.glsl\"\n" +
+                             shareDeclaration(values) + "\n" + fullScreenMain(shareStatements(values));
+    return assembled(packed, linesOf(text, "generated"), input);
 }
 
 } // namespace dioptre

@@ -26,4 +26,8 @@ std::vector<PictureGroup> pictureGroups(const PackedScene& packed);
 SourceText assemble(const Scene& scene, const Plan& plan, const PackedScene& packed,
                     const std::filesystem::path& glslFolder);
 
+// The vertex shader that goes with it: the full-screen triangle, and what all its pixels share.
+SourceText assembleVertex(const Plan& plan, const PackedScene& packed,
+                          const std::filesystem::path& glslFolder);
+
 } // namespace dioptre

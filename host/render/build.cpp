@@ -2,13 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+
 namespace dioptre
 {
 
-Program buildProgram(const SourceText& source)
+namespace
+{
+
+// Runs `build` and leads the driver's messages back to the lines of `source`.
+Program mapped(const SourceText& source, const std::function<Program()>& build)
 {
     try {
-        return buildProgram(flatten(source));
+        return build();
     } catch (const ShaderError& error) {
         std::string text;
         for (const auto& message : error.messages) {
@@ -21,6 +27,18 @@ Program buildProgram(const SourceText& source)
         }
         fail(ExitCode::badInput, text + "the shader does not compile", "mend the lines named above");
     }
+}
+
+} // namespace
+
+Program buildProgram(const SourceText& fragment, const SourceText& vertex)
+{
+    return mapped(fragment, [&] { return buildProgram(flatten(fragment), flatten(vertex)); });
+}
+
+Program buildProgram(const SourceText& fragment)
+{
+    return mapped(fragment, [&] { return buildProgram(flatten(fragment)); });
 }
 
 } // namespace dioptre

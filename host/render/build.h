@@ -8,6 +8,7 @@ namespace dioptre
 {
 
 // Throws badInput: each message as "file:line: message", the source line below it.
-Program buildProgram(const SourceText& source);
+Program buildProgram(const SourceText& fragment, const SourceText& vertex);
+Program buildProgram(const SourceText& fragment);
 
 } // namespace dioptre

@@ -97,14 +97,13 @@ DeviceScene upload(const PackedScene& packed, const Plan& plan)
     append(sky, packed.sky);
     addBlock(device, "SkyBlock", sky, "skies");
     appendAll(materials, packed.materials);
-    // An empty scene may still be seen from within a medium that absorbs.
-    if (plan.has("objects") || plan.has("absorption"))
+    if (plan.readsMaterials)
         addBlock(device, "MaterialBlock", materials, "materials");
     appendAll(lights, packed.lights);
     if (!packed.lights.empty())
         addBlock(device, "LightBlock", lights, "lights");
-    if (plan.form == SceneForm::loop && plan.has("objects"))
-        addBlock(device, "ShapeBlock", shapeValues(packed), "objects under trace.form = \"loop\"");
+    if (plan.has("geometry table"))
+        addBlock(device, "ShapeBlock", shapeValues(packed), "objects, which this shader reads from a table,");
     uploadTextures(device, packed);
     return device;
 }
@@ -112,8 +111,7 @@ DeviceScene upload(const PackedScene& packed, const Plan& plan)
 std::vector<std::string> plannedUniforms(const Plan& plan)
 {
     std::vector<std::string> names = {"u_sample_count"};
-    // An empty scene under a plain sky looks alike in every direction.
-    if (plan.has("objects") || plan.has("sky gradient") || plan.has("sky picture"))
+    if (seesDirections(plan))
         names.insert(names.end(), {"u_resolution", "u_tile_origin_px", "u_sample_first"});
     if (plan.tree != RayTree::single) {
         names.emplace_back("u_budget");

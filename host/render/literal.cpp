@@ -1,9 +1,10 @@
 #include "render/literal.h"
 
+#include "render/lookup.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 
 namespace dioptre
 {
@@ -75,15 +76,12 @@ std::string nearestHitText(const Scene& scene, const PackedScene& packed)
     return text + "    return nearest;\n}\n\n";
 }
 
-// The factor by which one object lets light through, or "" where it casts no shadow.
-std::string throughOne(const PackedObject& object, const packed::Material& material, std::size_t id)
+// The factor by which one object lets light through.
+std::string throughOne(const PackedObject& object, const Plan& plan, int shadow, std::size_t id)
 {
-    const int shadow = static_cast<int>(material.shadow_tint.w);
-    if (shadow == packed::SHADOW_NONE)
-        return "";
     if (shadow == packed::SHADOW_OPAQUE)
         return fmt::format("unblocked({}, distance)", crossingOf(object, id));
-    const auto table = fmt::format("u_materials[{}]", object.material);
+    const auto table = shadowMaterial(plan, static_cast<std::size_t>(object.material));
     if (object.kind == packed::KIND_SPHERE || object.kind == packed::KIND_CAPPED_CYLINDER)
         return fmt::format("solidTint({}Span(ray, {}), ray, {}, distance, {})", kernelOf(object.kind),
                            geometry(object), id, table);
@@ -98,58 +96,24 @@ std::string lightThroughText(const Scene& scene, const PackedScene& packed, cons
     std::string text =
         "// The share of the light from that distance along the ray that arrives; `glowing` does not shade "
         "its own light.\n"
-        "vec3 lightThrough(Ray ray, float distance, int glowing)\n{\n    vec3 through = vec3(1.0);\n";
+        "vec3 lightThrough(Ray ray, float distance, int glowing)\n{\n    float open = 1.0;\n";
+    const bool tinted = plan.has("tinted shadows");
+    if (tinted)
+        text += "    vec3 tint = vec3(1.0);\n";
     for (std::size_t id = 0; id < packed.objects.size(); ++id) {
         const auto& object = packed.objects[id];
-        const auto factor =
-            throughOne(object, packed.materials[static_cast<std::size_t>(object.material)], id);
-        if (factor.empty())
+        const auto& material = packed.materials[static_cast<std::size_t>(object.material)];
+        const int shadow = static_cast<int>(material.shadow_tint.w);
+        if (shadow == packed::SHADOW_NONE)
             continue;
-        const bool glows = std::find(plan.glowing.begin(), plan.glowing.end(), id) != plan.glowing.end();
+        const bool opaque = shadow == packed::SHADOW_OPAQUE;
+        auto factor = throughOne(object, plan, shadow, id);
+        if (std::ranges::count(plan.glowing, id) > 0)
+            factor = fmt::format("glowing == {} ? {} : {}", id, opaque ? "1.0" : "vec3(1.0)", factor);
         text += commentOf(scene.objects[id], id);
-        text += glows ? fmt::format("    if (glowing != {})\n        through *= {};\n", id, factor)
-                      : fmt::format("    through *= {};\n", factor);
+        text += fmt::format("    {} *= {};\n", opaque ? "open" : "tint", factor);
     }
-    return text + "    return through;\n}\n\n";
-}
-
-// A chain of selects on the object's id, neighbours of equal value merged: "object < 3 ? a : object < 5 ? b :
-// c".
-std::string selectText(std::size_t count, const std::function<std::string(std::size_t)>& valueOf)
-{
-    std::string text;
-    for (std::size_t id = 0; id < count; ++id) {
-        const auto value = valueOf(id);
-        if (id + 1 == count)
-            return text + value;
-        if (valueOf(id + 1) != value)
-            text += fmt::format("object < {} ? {}\n           : ", id + 1, value);
-    }
-    return text;
-}
-
-std::string lookupText(const PackedScene& packed)
-{
-    const auto& objects = packed.objects;
-    if (objects.empty())
-        return "";
-    std::string text = "// Index of an object's material.\nint materialOf(int object)\n{\n    return ";
-    text +=
-        selectText(objects.size(), [&](std::size_t id) { return fmt::format("{}", objects[id].material); });
-    text += ";\n}\n\n// An object's KIND_.\nint kindOf(int object)\n{\n    return ";
-    text += selectText(objects.size(), [&](std::size_t id) { return fmt::format("{}", objects[id].kind); });
-    text += ";\n}\n\n// An object's geometry.\nShape shapeOf(int object)\n{\n    Shape shape;\n";
-    const std::pair<const char*, glm::dvec4 packed::Shape::*> fields[] = {
-        {"anchor", &packed::Shape::anchor},
-        {"axis", &packed::Shape::axis},
-        {"along_u", &packed::Shape::along_u},
-        {"along_v", &packed::Shape::along_v}};
-    for (const auto& [name, field] : fields)
-        text += fmt::format("    shape.{} = {};\n", name,
-                            selectText(objects.size(), [&, f = field](std::size_t id) {
-                                return literal(objects[id].shape.*f);
-                            }));
-    return text + "    return shape;\n}\n\n";
+    return text + (tinted ? "    return open * tint;\n}\n\n" : "    return vec3(open);\n}\n\n");
 }
 
 } // namespace
@@ -173,7 +137,7 @@ std::string literal(const glm::dvec4& value)
 
 std::string literalScene(const Scene& scene, const PackedScene& packed, const Plan& plan)
 {
-    return lookupText(packed) + nearestHitText(scene, packed) + lightThroughText(scene, packed, plan);
+    return nearestHitText(scene, packed) + lightThroughText(scene, packed, plan);
 }
 
 } // namespace dioptre

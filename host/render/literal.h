@@ -16,8 +16,8 @@ std::string literal(double value);
 std::string literal(const glm::dvec3& value);
 std::string literal(const glm::dvec4& value);
 
-// nearestHit(), lightThrough(), shapeOf(), kindOf() and materialOf() with every object's geometry as
-// constants, one call of a kernel per object in the order of their ids.
+// nearestHit() and lightThrough() with every object's geometry as constants, one call of a kernel per object
+// in the order of their ids.
 std::string literalScene(const Scene& scene, const PackedScene& packed, const Plan& plan);
 
 } // namespace dioptre

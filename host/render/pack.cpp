@@ -57,13 +57,6 @@ packed::Sky packSky(const Sky& sky)
     return result;
 }
 
-int modelOf(ReflectanceModel model)
-{
-    return model == ReflectanceModel::phong   ? packed::MODEL_PHONG
-           : model == ReflectanceModel::blinn ? packed::MODEL_BLINN
-                                              : packed::MODEL_LAMBERT;
-}
-
 // The interface's numbers for both ways through it, in double: the device never divides indices.
 vec4 bendingOf(double inside, double outside)
 {
@@ -108,13 +101,10 @@ packed::Material packMaterial(const Scene& scene, const Plan& plan, const Materi
 
 packed::Light packLight(const Light& light, const glm::dvec3& origin)
 {
-    const int kind = light.kind == Light::Kind::directional ? packed::LIGHT_DIRECTIONAL
-                     : light.kind == Light::Kind::point     ? packed::LIGHT_POINT
-                                                            : packed::LIGHT_SPOT;
     // Rounding may take a cosine below -1: a spot without a cone asks for less than that.
     const double cutoffCosine = light.cutoff_deg >= 180.0 ? -2.0 : std::cos(radians(light.cutoff_deg));
     packed::Light result;
-    result.position = vec4(light.position - origin, kind);
+    result.position = vec4(light.position - origin, 0.0);
     result.direction = vec4(light.direction, cutoffCosine);
     // A directional light's ambient part comes from everywhere: pack() adds it to the scene's.
     const bool everywhere = light.kind == Light::Kind::directional;
@@ -132,7 +122,7 @@ packed::Light packGlow(const Scene& scene, std::size_t object, const glm::dvec3&
     const auto& sphere = std::get<Sphere>(scene.objects[object].primitive);
     const auto& emission = scene.materials[scene.objects[object].material].emission;
     packed::Light result{};
-    result.position = vec4(sphere.centre - origin, packed::LIGHT_POINT);
+    result.position = vec4(sphere.centre - origin, 0.0);
     result.diffuse = vec4(emission, static_cast<double>(object));
     result.specular = vec4(emission, sphere.radius);
     result.attenuation = vec4(0.0, 0.0, 1.0 / (sphere.radius * sphere.radius), 0.0);
@@ -155,6 +145,13 @@ void refuseBeyondFloat(const Object& object, const PackedObject& packedObject)
 
 } // namespace
 
+int modelOf(ReflectanceModel model)
+{
+    return model == ReflectanceModel::phong   ? packed::MODEL_PHONG
+           : model == ReflectanceModel::blinn ? packed::MODEL_BLINN
+                                              : packed::MODEL_LAMBERT;
+}
+
 glm::dvec3 sceneOrigin(const Scene& scene)
 {
     const double reach = glm::distance(scene.camera.eye, scene.camera.target);
@@ -173,8 +170,12 @@ PackedScene pack(const Scene& scene, const Plan& plan, const View& view)
     }
     for (const auto i : plan.materials)
         result.materials.push_back(packMaterial(scene, plan, scene.materials[i]));
-    for (const auto i : plan.placedLights)
+    for (const auto i : plan.placedLights) {
         result.lights.push_back(packLight(scene.lights[i], origin));
+        result.firstPoint += scene.lights[i].kind < Light::Kind::point ? 1 : 0;
+        result.firstSpot += scene.lights[i].kind < Light::Kind::spot ? 1 : 0;
+    }
+    result.firstGlow = static_cast<int>(result.lights.size());
     for (const auto i : plan.glowing)
         result.lights.push_back(packGlow(scene, i, origin));
     for (const auto& light : scene.lights)

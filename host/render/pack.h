@@ -20,6 +20,9 @@ glm::dvec3 sceneOrigin(const Scene& scene);
 // are those of the plan's lists.
 PackedScene pack(const Scene& scene, const Plan& plan, const View& view);
 
+// packed::MODEL_ of a material's model.
+int modelOf(ReflectanceModel model);
+
 // Geometry of one object, with kind and texture frame; material is left 0.
 PackedObject packShape(const Object& object, const glm::dvec3& origin);
 

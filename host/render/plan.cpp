@@ -34,10 +34,17 @@ Plan Planner::make()
     lights();
     sky();
     form();
+    gatherDefines();
+    values();
+    gatherDefines();
+    return std::move(plan_);
+}
+
+void Planner::gatherDefines()
+{
     for (const auto& feature : plan_.features)
         if (feature.in)
             plan_.defines.insert(feature.defines.begin(), feature.defines.end());
-    return std::move(plan_);
 }
 
 void Planner::add(const std::string& name, bool in, const std::string& whyIn, const std::string& whyOut,
@@ -81,6 +88,7 @@ void Planner::findUsed()
     for (std::size_t i = 0; i < scene_.lights.size(); ++i)
         if (scene_.lights[i].kind != Light::Kind::ambient)
             plan_.placedLights.push_back(i);
+    std::ranges::stable_sort(plan_.placedLights, {}, [this](auto i) { return scene_.lights[i].kind; });
 }
 
 void Planner::addForShape(const std::string& name, const std::string& count, std::vector<std::string> defines)
@@ -92,23 +100,20 @@ void Planner::shapes()
 {
     add("objects", !scene_.objects.empty(), fmt::format("{} in all", scene_.objects.size()),
         "the scene is empty", {"HAS_OBJECTS"});
-    addForShape("sphere", countOf<Sphere>(scene_), {"HAS_SPHERE"});
+    addForShape("sphere", countOf<Sphere>(scene_), {"HAS_SPHERE", "HAS_ROUND_SHAPE"});
     addForShape("open cylinder", countOf<Cylinder>(scene_, [](const auto& c) { return !c.capped; }),
-                {"HAS_CYLINDER", "HAS_OPEN_CYLINDER"});
+                {"HAS_CYLINDER", "HAS_OPEN_CYLINDER", "HAS_ROUND_SHAPE"});
     addForShape("capped cylinder", countOf<Cylinder>(scene_, [](const auto& c) { return c.capped; }),
-                {"HAS_CYLINDER", "HAS_CAPPED_CYLINDER"});
+                {"HAS_CYLINDER", "HAS_CAPPED_CYLINDER", "HAS_ROUND_SHAPE"});
     addForShape("plane", countOf<Plane>(scene_), {"HAS_PLANE"});
     addForShape("disk", countOf<Disk>(scene_), {"HAS_DISK"});
     addForShape("rectangle", countOf<Rectangle>(scene_), {"HAS_RECTANGLE"});
     addForShape("triangle", countOf<Triangle>(scene_), {"HAS_TRIANGLE"});
 }
 
-void Planner::form()
+bool seesDirections(const Plan& plan)
 {
-    plan_.form = scene_.trace.form;
-    const bool literal = plan_.form == SceneForm::literal;
-    add("literal geometry", literal, "geometry as constants", "trace.form is loop", {});
-    add("geometry table", !literal, "trace.form is loop", "geometry is literal", {});
+    return plan.has("objects") || plan.has("sky gradient") || plan.has("sky picture");
 }
 
 const Feature& Plan::feature(const std::string& name) const

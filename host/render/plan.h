@@ -27,17 +27,28 @@ struct PictureUse {
     bool operator==(const PictureUse&) const = default;
 };
 
+// A number or vector of the shader's uniforms.
+struct SharedValue {
+    std::string name;   // as both stages call it: "u_camera.eye.xyz"
+    int components = 4; // 1 to 4
+    bool isInt = false; // travels as a float
+};
+
 struct Plan {
     std::vector<Feature> features;
     std::set<std::string> defines; // of all features that are in
     SceneForm form = SceneForm::literal;
+    PlanChoices::Lookup lookup = PlanChoices::Lookup::selects; // never automatic
     RayTree tree = RayTree::single;
     int poolSlots = 3;
-    int budget = 1;                        // rays a sample
-    std::vector<std::size_t> materials;    // those that objects or the camera use, in order
-    std::vector<std::size_t> placedLights; // directional, point and spot lights of Scene::lights that shine
-    std::vector<std::size_t> glowing;      // objects that light the scene
-    std::vector<PictureUse> pictures;      // those that are sampled, each once
+    int budget = 1;                     // rays a sample
+    std::vector<std::size_t> materials; // those that objects or the camera use, in order
+    std::vector<std::size_t>
+        placedLights; // directional, point and spot lights of Scene::lights that shine, by kind
+    std::vector<std::size_t> glowing; // objects that light the scene
+    std::vector<PictureUse> pictures; // those that are sampled, each once
+    std::vector<SharedValue> shared;  // what comes through the vertex stage
+    bool readsMaterials = false;      // whether the shader reads any number of a material
 
     const Feature& feature(const std::string& name) const; // must exist
     bool has(const std::string& name) const
@@ -45,6 +56,12 @@ struct Plan {
         return feature(name).in;
     }
 };
+
+// Whether the shader asks where a ray goes at all: an empty scene under a plain sky looks alike everywhere.
+bool seesDirections(const Plan& plan);
+
+// Whether an object of this material shows a picture or a pattern, and so needs coordinates.
+bool wears(const Material& material);
 
 // The scene as its light type shows it: unlit colours are one ambient light of 1 on the surface's own colour;
 // lights alone mean no ambient light and a black sky.

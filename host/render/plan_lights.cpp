@@ -46,14 +46,14 @@ void Planner::lights()
                  },
                  "no point or spot light has one", {"HAS_LIGHT_AMBIENT", "HAS_ANY_AMBIENT"});
     addForLights("directional light", [](const Light& l) { return l.kind == Kind::directional; },
-                 "no such light", {"HAS_LIGHTS"});
+                 "no such light", {"HAS_LIGHTS", "HAS_DIRECTIONAL_LIGHT"});
     addForLights("point light", [](const Light& l) { return l.kind == Kind::point; }, "no such light",
-                 {"HAS_LIGHTS", "HAS_PLACED_LIGHT"});
+                 {"HAS_LIGHTS", "HAS_PLACED_LIGHT", "HAS_POINT_LIGHT"});
     addForLights("spot light", [](const Light& l) { return l.kind == Kind::spot; }, "no such light",
                  {"HAS_LIGHTS", "HAS_PLACED_LIGHT", "HAS_SPOT_LIGHT"});
     add("glowing sphere", lit_ && !plan_.glowing.empty(),
         fmt::format("{} of the objects", plan_.glowing.size()), "no material has light = true",
-        {"HAS_LIGHTS", "HAS_PLACED_LIGHT"});
+        {"HAS_LIGHTS", "HAS_PLACED_LIGHT", "HAS_GLOW"});
     if (!lit_) {
         plan_.placedLights.clear();
         plan_.glowing.clear();

@@ -3,9 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace dioptre
 {
+namespace
+{
+
+// Where a shape stands among the alternatives of Primitive.
+template <typename Shape>
+const std::size_t indexOf = Primitive(Shape{}).index();
+
+} // namespace
+
+bool wears(const Material& material)
+{
+    return !material.image.empty() || material.checker.has_value();
+}
 
 bool Planner::onObject(const Material& material) const
 {
@@ -35,11 +49,31 @@ void Planner::surfaces()
                     "no lit material has a pattern", {"HAS_CHECKER", "HAS_COORDINATES"});
     addForMaterials("emission", [&](const auto& m) { return onObject(m) && m.emission != glm::dvec3(0.0); },
                     "no material glows", {"HAS_EMISSION"});
+    coordinates([&](const Material& m) { return seen(m) && wears(m); });
     for (const auto i : plan_.materials) {
         const auto& material = scene_.materials[i];
         const PictureUse use{material.image, material.encoding};
         if (seen(material) && !material.image.empty() && std::ranges::count(plan_.pictures, use) == 0)
             plan_.pictures.push_back(use);
+    }
+}
+
+void Planner::coordinates(const std::function<bool(const Material&)>& wears)
+{
+    const std::tuple<const char*, std::size_t, const char*> kinds[] = {
+        {"plane coordinates", indexOf<Plane>, "HAS_PLANE_COORDINATES"},
+        {"sphere coordinates", indexOf<Sphere>, "HAS_SPHERE_COORDINATES"},
+        {"cylinder coordinates", indexOf<Cylinder>, "HAS_CYLINDER_COORDINATES"},
+        {"disk coordinates", indexOf<Disk>, "HAS_DISK_COORDINATES"},
+        {"rectangle coordinates", indexOf<Rectangle>, "HAS_RECTANGLE_COORDINATES"},
+        {"triangle coordinates", indexOf<Triangle>, "HAS_TRIANGLE_COORDINATES"}};
+    for (const auto& [name, kind, define] : kinds) {
+        const auto count = std::ranges::count_if(scene_.objects, [&, index = kind](const Object& object) {
+            return object.primitive.index() == index && wears(scene_.materials[object.material]);
+        });
+        add(name, count > 0,
+            fmt::format("{} of them wear{} a picture or a pattern", count, count == 1 ? "s" : ""),
+            "none of them wears a picture or a pattern", {define});
     }
 }
 
@@ -55,7 +89,7 @@ void Planner::rays()
     const auto absorbing = materialsWith([](const auto& m) { return m.absorption != glm::dvec3(0.0); });
     add("absorption", !absorbing.empty() && (refracts || swims), "material " + absorbing,
         absorbing.empty() ? "no medium absorbs" : "no ray gets into a medium", {"HAS_ABSORPTION"});
-    const bool sendsOn = refracts || plan_.has("mirror");
+    const bool sendsOn = (refracts || plan_.has("mirror")) && scene_.trace.budget.value_or(2) > 1;
     add("depth limit", sendsOn && scene_.trace.depth.has_value(), "trace.depth is set",
         sendsOn ? "trace.depth is not set" : "no ray is sent on", {"HAS_DEPTH_LIMIT"});
     rayTree(sendsOn, refracts);

@@ -1,5 +1,5 @@
-// How the plan is made: the rows of its table, one topic a file (plan.cpp shapes and form, plan_surfaces.cpp
-// surfaces and rays, plan_lights.cpp lights and sky).
+// How the plan is made: the rows of its table, one topic a file (plan.cpp shapes, plan_surfaces.cpp surfaces
+// and rays, plan_lights.cpp lights and sky, plan_form.cpp the form that the scene takes in the shader).
 #pragma once
 
 #include "render/plan.h"
@@ -45,6 +45,8 @@ private:
     void findUsed();
     void shapes();
     void surfaces();
+    // One row a kind of shape: whether any wears what `wears` holds for.
+    void coordinates(const std::function<bool(const Material&)>& wears);
     void rays();
     void rayTree(bool sendsOn, bool refracts);
     void lights();
@@ -52,6 +54,8 @@ private:
     void shadows(bool anyLight);
     void sky();
     void form();
+    void values();
+    void gatherDefines();
 
     const Scene& scene_;
     Plan plan_;

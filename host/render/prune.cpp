@@ -92,8 +92,12 @@ void classify(ShaderItem& item, const SourceText& source)
         declare(ShaderItem::Kind::constant, word(2));
     else if (word(0) == "out")
         declare(ShaderItem::Kind::output, word(2));
+    else if (word(0) == "flat")
+        declare(word(1) == "out" ? ShaderItem::Kind::output : ShaderItem::Kind::uniform, word(3));
     else if (all.find('(') != std::string::npos)
         declare(ShaderItem::Kind::function, word(1));
+    else if (words.size() >= 2) // a global variable, fed like a uniform
+        declare(ShaderItem::Kind::uniform, word(1));
 }
 
 } // namespace

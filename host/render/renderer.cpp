@@ -29,7 +29,7 @@ Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, cons
     target_ = makeAccumulationTarget(view.width, view.height);
     times_.load = watch.lap_ms();
 
-    program_ = buildProgram(shader_);
+    program_ = buildProgram(shader_, assembleVertex(plan, packed, view.glslFolder));
     checkInterface(program_, device_, plan);
     times_.compile = watch.lap_ms();
 

@@ -14,7 +14,7 @@ namespace dioptre
 const std::vector<std::string>& sceneKeys()
 {
     static const std::vector<std::string> keys = [] {
-        std::vector<std::string> names{"title", "camera", "sky", "trace", "material", "light"};
+        std::vector<std::string> names{"title", "camera", "sky", "trace", "plan", "material", "light"};
         names.insert(names.end(), objectKinds().begin(), objectKinds().end());
         return names;
     }();
@@ -51,6 +51,7 @@ Scene parseScene(const std::string& text, const std::filesystem::path& path,
     scene.camera = readCamera(sections, scene.materials);
     scene.sky = readSky(sections, folder);
     scene.trace = readTrace(sections);
+    scene.plan = readPlan(sections);
     scene.lights = readLights(sections);
     scene.objects = readObjects(sections, scene.materials);
     return scene;

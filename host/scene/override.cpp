@@ -91,7 +91,7 @@ std::vector<std::pair<std::string, Value*>> namedObjects(Table& document)
 // A section whose keys all have defaults may be absent from the file.
 void createSection(Table& document, const std::string& key, const SourcePosition& place)
 {
-    const bool optional = key == "camera" || key == "sky" || key == "trace";
+    const bool optional = key == "camera" || key == "sky" || key == "trace" || key == "plan";
     if (optional && !find(document, key))
         document.entries.push_back({key, place, {Table{}, place}});
 }

@@ -51,6 +51,17 @@ struct Trace {
     LightType lightType = LightType::lit;
 };
 
+// How the plan goes about its work: each idea can be switched off, so that a benchmark shows what it gains.
+// The picture stays the same.
+struct PlanChoices {
+    enum class Force { none, all };
+    enum class Values { automatic, shared, uniforms };
+    enum class Lookup { automatic, selects, table };
+    Force force = Force::none;         // all: every feature in, whether the scene needs it or not
+    Values values = Values::automatic; // how materials, lights and camera reach a pixel
+    Lookup lookup = Lookup::automatic; // how the nearest object's surface is looked up
+};
+
 enum class ReflectanceModel { lambert, phong, blinn };
 enum class ShadowKind { opaque, tinted, none };
 
@@ -141,6 +152,7 @@ struct Scene {
     Camera camera;
     Sky sky;
     Trace trace;
+    PlanChoices plan;
     std::vector<Material> materials; // in file order
     std::vector<Light> lights;       // in file order
     std::vector<Object> objects;     // in file order: the index is the object's id

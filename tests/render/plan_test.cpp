@@ -36,7 +36,7 @@ const std::string point = "[[light]]\nkind = \"point\"\nposition = [0, 9, 0]\n";
 const std::vector<Toggle> toggles = {
     {"open cylinder",
      "[[cylinder]]\nbase = [0, 0, 0]\naxis = [0, 1, 0]\nradius = 1\n",
-     {"openCylinderCrossing", "sideNormal"}},
+     {"openCylinderCrossing", "bool side"}},
     {"capped cylinder",
      "[[cylinder]]\nbase = [0, 0, 0]\naxis = [0, 1, 0]\nradius = 1\ncapped = true\n",
      {"cappedCylinderCrossing", "slabSpan"}},
@@ -63,15 +63,15 @@ const std::vector<Toggle> toggles = {
     {"ambient light", with("", "[[light]]\nkind = \"ambient\"\nambient = [1, 1, 1]\n"), {"u_ambient"}},
     {"directional light",
      with("", "[[light]]\nkind = \"directional\"\ndirection = [0, -1, 0]\n"),
-     {"LightBlock", "incidenceOf"}},
-    {"point light", with("", point), {"LightBlock", "attenuation("}},
+     {"u_lights[0]", "directionalIncidence"}},
+    {"point light", with("", point), {"u_lights[0]", "pointIncidence(", "attenuation("}},
     {"spot light",
      with("", "[[light]]\nkind = \"spot\"\nposition = [0, 9, 0]\ndirection = [0, -1, 0]\ncutoff_deg = 20\n"),
-     {"LightBlock", "coneStrength"}},
+     {"u_lights[0]", "spotIncidence(", "coneStrength"}},
     {"ambient part of placed lights",
      with("", point + "ambient = [1, 1, 1]\n"),
      {"light.ambient.xyz * ambientColour"}},
-    {"glowing sphere", with("emission = [1, 1, 1]\nlight = true"), {"LightBlock", "glowing != 0"}},
+    {"glowing sphere", with("emission = [1, 1, 1]\nlight = true"), {"u_lights[0]", "glowing == 0"}},
     {"Phong highlight", with("model = \"phong\"\nspecular = [1, 1, 1]", point), {"phongLobe", "cosinePower"}},
     {"Blinn highlight", with("model = \"blinn\"\nspecular = [1, 1, 1]", point), {"blinnLobe", "cosinePower"}},
     {"shadows", with("", point), {"lightThrough"}},
@@ -147,7 +147,7 @@ TEST(Plan, UnlitSceneOfOneSphere_HasNoLightCodeAtAll)
 {
     const auto [plan, text] = assembled("[trace]\nlight_type = 0\n" + with("", point));
     EXPECT_FALSE(plan.has("point light"));
-    EXPECT_EQ(text.find("LightBlock"), std::string::npos);
+    EXPECT_EQ(text.find("u_lights"), std::string::npos);
     EXPECT_NE(text.find("u_ambient"), std::string::npos);
 }
 

@@ -1,0 +1,89 @@
+#include "render/planner.h"
+
+#include "render/shared_values.h"
+
+#include <fmt/format.h>
+
+namespace dioptre
+{
+namespace
+{
+
+// Up to so many distinct objects or materials a chain of selects is cheaper than a gather from a table.
+constexpr std::size_t mostSelects = 24;
+
+// Up to so many lights each has code of its own; beyond, one loop for each kind.
+constexpr std::size_t mostLightsInLine = 4;
+
+} // namespace
+
+void Planner::form()
+{
+    using Lookup = PlanChoices::Lookup;
+    plan_.form = scene_.trace.form;
+    const bool literal = plan_.form == SceneForm::literal;
+    const bool empty = scene_.objects.empty();
+    const std::size_t choices = std::max(scene_.objects.size(), plan_.materials.size());
+    plan_.lookup = !literal                                  ? Lookup::table
+                   : scene_.plan.lookup != Lookup::automatic ? scene_.plan.lookup
+                   : choices <= mostSelects                  ? Lookup::selects
+                                                             : Lookup::table;
+    const bool table = plan_.lookup == Lookup::table && !empty;
+    const std::string chosen = scene_.plan.lookup != Lookup::automatic ? "plan.lookup" : "";
+    add("literal geometry", literal, "geometry as constants", "trace.form is loop", {});
+    add("surfaces by selects", !table && !empty,
+        chosen.empty() ? fmt::format("{} objects and materials at most", choices) : chosen,
+        empty ? "the scene is empty" : "they come from the table", {});
+    add("geometry table", table,
+        !literal         ? "trace.form is loop"
+        : chosen.empty() ? fmt::format("{} objects or materials", choices)
+                         : chosen,
+        literal ? "geometry is literal, surfaces by selects" : "the scene is empty", {});
+}
+
+// What each pixel reads of camera, sky, lights and materials: through the vertex stage as far as there is
+// room.
+void Planner::values()
+{
+    using Choice = PlanChoices::Values;
+    const std::size_t lights = plan_.placedLights.size() + plan_.glowing.size();
+    const bool shared = scene_.plan.values != Choice::uniforms;
+    const bool inLine = lights > 0 && lights <= mostLightsInLine && plan_.form == SceneForm::literal;
+    const auto fits = [&](const std::vector<SharedValue>& more) {
+        auto all = plan_.shared;
+        all.insert(all.end(), more.begin(), more.end());
+        const bool room = vectorsOf(all) <= mostSharedVectors;
+        if (room)
+            plan_.shared = std::move(all);
+        return room;
+    };
+    if (shared)
+        fits(sharedView(plan_));
+    const std::string off = "plan.values is uniforms";
+    add("light loops", lights > 0 && !inLine, fmt::format("{} lights", lights),
+        lights == 0 ? "no light to reflect" : "each light has code of its own", {"HAS_LIGHT_LOOPS"});
+    add("shared view", shared, "camera, sky and settings come through the vertex stage", off,
+        {"HAS_SHARED_VIEW", "HAS_SHARED_VALUES"});
+    const bool lightsShared = shared && inLine && fits(sharedLights(scene_, plan_));
+    add("shared lights", lightsShared, "they come through the vertex stage",
+        !shared       ? off
+        : lights == 0 ? "no light to reflect"
+        : inLine      ? "no room for them in the vertex stage's outputs"
+                      : "loops read them from a block",
+        {"HAS_SHARED_LIGHTS"});
+    const bool known = plan_.lookup == PlanChoices::Lookup::selects && !scene_.objects.empty();
+    const auto read = sharedMaterials(scene_, plan_);
+    plan_.readsMaterials = plan_.has("geometry table") || !read.empty();
+    std::size_t placed = 0;
+    if (shared && known)
+        for (const auto& value : read)
+            placed += fits({value}) ? 1 : 0;
+    add("shared materials", placed > 0,
+        fmt::format("{} of {} values come through the vertex stage", placed, read.size()),
+        !shared ? off
+        : known ? "no room for them in the vertex stage's outputs"
+                : "they are read by index",
+        {"HAS_SHARED_MATERIALS"});
+}
+
+} // namespace dioptre

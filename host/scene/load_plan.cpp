@@ -1,0 +1,28 @@
+#include "scene/sections.h"
+
+#include "scene/table_reader.h"
+
+namespace dioptre
+{
+
+PlanChoices readPlan(const Table& document)
+{
+    PlanChoices plan;
+    const Value* section = find(document, "plan");
+    if (!section)
+        return plan;
+    const TableReader reader(*section, "[plan]", {"force", "values", "lookup"});
+    using Force = PlanChoices::Force;
+    using Values = PlanChoices::Values;
+    using Lookup = PlanChoices::Lookup;
+    reader.choice<Force>("force", plan.force, {{"none", Force::none}, {"all", Force::all}});
+    reader.choice<Values>(
+        "values", plan.values,
+        {{"auto", Values::automatic}, {"shared", Values::shared}, {"uniforms", Values::uniforms}});
+    reader.choice<Lookup>(
+        "lookup", plan.lookup,
+        {{"auto", Lookup::automatic}, {"selects", Lookup::selects}, {"table", Lookup::table}});
+    return plan;
+}
+
+} // namespace dioptre
