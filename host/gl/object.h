@@ -61,6 +61,10 @@ inline void program(GLuint name)
 {
     glDeleteProgram(name);
 }
+inline void query(GLuint name)
+{
+    glDeleteQueries(1, &name);
+}
 } // namespace gl_delete
 
 using Texture = GlObject<gl_delete::texture>;
@@ -69,5 +73,6 @@ using Framebuffer = GlObject<gl_delete::framebuffer>;
 using VertexArray = GlObject<gl_delete::vertexArray>;
 using Shader = GlObject<gl_delete::shader>;
 using ProgramName = GlObject<gl_delete::program>;
+using Query = GlObject<gl_delete::query>;
 
 } // namespace dioptre

@@ -40,8 +40,14 @@ Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, cons
     times_.firstDraw = watch.lap_ms();
 }
 
-// Tiles bound the time of a draw, batches its loop iterations.
 void Renderer::draw(const std::function<void(double)>& progress)
+{
+    submit(progress);
+    glFinish();
+}
+
+// Tiles bound the time of a draw, batches its loop iterations.
+void Renderer::submit(const std::function<void(double)>& progress)
 {
     constexpr int tile_px = 512;
     const int columns = (view_.width + tile_px - 1) / tile_px;
@@ -63,7 +69,6 @@ void Renderer::draw(const std::function<void(double)>& progress)
             }
         }
     }
-    glFinish();
 }
 
 Picture Renderer::read() const

@@ -30,6 +30,9 @@ public:
     // is drawn, 0..1; it may be empty.
     void draw(const std::function<void(double)>& progress = {});
 
+    // The same without waiting for the end, unless `progress` wants to hear of it.
+    void submit(const std::function<void(double)>& progress = {});
+
     // The sums of the samples in rgb, the rays traced in alpha; rows from the bottom up.
     Picture read() const;
 
