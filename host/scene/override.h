@@ -13,4 +13,7 @@ namespace dioptre
 // checked with the rest of the scene, under the place "--set path=value".
 void applyOverrides(Value& document, const std::vector<std::string>& overrides);
 
+// "path=value,path=value" in its parts. A comma within brackets or quotes belongs to the value.
+std::vector<std::string> splitOverrides(const std::string& text);
+
 } // namespace dioptre

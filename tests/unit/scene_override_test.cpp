@@ -1,5 +1,6 @@
 // --set path=value, in every form of path and with every fault.
 #include "scene/load.h"
+#include "scene/override.h"
 
 #include <gtest/gtest.h>
 
@@ -148,6 +149,38 @@ TEST_P(OverrideRefusal, StandsUnderItsOwnText)
 
 INSTANTIATE_TEST_SUITE_P(Scene, OverrideRefusal, testing::ValuesIn(badOverrides),
                          [](const auto& row) { return std::string(row.param.name); });
+
+using Parts = std::vector<std::string>;
+
+TEST(Overrides_Split, AtCommas)
+{
+    EXPECT_EQ(splitOverrides("trace.form=loop"), (Parts{"trace.form=loop"}));
+    EXPECT_EQ(splitOverrides("trace.form=loop,trace.budget=4"), (Parts{"trace.form=loop", "trace.budget=4"}));
+}
+
+TEST(Overrides_Split, NotWithinBracketsOrQuotes)
+{
+    EXPECT_EQ(splitOverrides("light.0.diffuse=[1,0,0],trace.budget=4"),
+              (Parts{"light.0.diffuse=[1,0,0]", "trace.budget=4"}));
+    EXPECT_EQ(splitOverrides("sky.gradient=[[1,0,0],[0,1,0],[0,0,1]],trace.budget=4"),
+              (Parts{"sky.gradient=[[1,0,0],[0,1,0],[0,0,1]]", "trace.budget=4"}));
+    EXPECT_EQ(splitOverrides("title=\"one, two\",trace.budget=4"),
+              (Parts{"title=\"one, two\"", "trace.budget=4"}));
+    EXPECT_EQ(splitOverrides("title='a [,b',trace.budget=4"), (Parts{"title='a [,b'", "trace.budget=4"}));
+}
+
+TEST(Overrides_Split, AnApostropheInAName_OpensNothing)
+{
+    EXPECT_EQ(splitOverrides("Ann's ball.radius=1,trace.budget=4"),
+              (Parts{"Ann's ball.radius=1", "trace.budget=4"}));
+}
+
+// Faults stay what they are, for applyOverrides to name.
+TEST(Overrides_Split, EmptyParts_Remain)
+{
+    EXPECT_EQ(splitOverrides("a=1,,b=2"), (Parts{"a=1", "", "b=2"}));
+    EXPECT_EQ(splitOverrides("a=1,"), (Parts{"a=1", ""}));
+}
 
 } // namespace
 
