@@ -16,6 +16,7 @@ enum class ExitCode : int {
     badInput = 65,
     inputMissing = 66,
     noOpenGl = 69,
+    toolMissing = 69, // a program that an option asks for
     cannotWrite = 73,
     retry = 75
 };

@@ -30,4 +30,19 @@ struct RenderOptions {
 };
 ExitCode render(const RenderOptions& options);
 
+// What `dioptre bench` was asked for.
+struct BenchOptions {
+    std::vector<std::string> inputs; // SCENE or SCENE@path=value,…; the first is what the others are held to
+    int width = 400;                 // pixels
+    int height = 400;                // pixels
+    int samples = 1;                 // a pixel, in each frame
+    int frames = 0;                  // of each input; 0: as many as a time allows, up to 30
+    int coldStarts = 5;              // of each input, each in a process of its own
+    std::string backend = "auto";
+    bool python = false; // hold a plain Python tracer to them
+    bool json = false;
+    bool coldStart = false; // be one of those processes
+};
+ExitCode bench(const BenchOptions& options);
+
 } // namespace dioptre

@@ -1,32 +1,18 @@
 #include "command/command.h"
 
 #include "base/text.h"
+#include "command/bench_options.h"
+#include "command/size_option.h"
 #include "gl/context.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace dioptre
 {
 namespace
 {
-
-constexpr int largestSide_px = 16384; // what every OpenGL driver that we know draws at once
-
-// "640x360" to two numbers.
-void readSize(const std::string& text, RenderOptions& options)
-{
-    int used = 0;
-    const int found = std::sscanf(text.c_str(), "%dx%d%n", &options.width, &options.height, &used);
-    const auto sane = [](int side) { return side >= 1 && side <= largestSide_px; };
-    if (found != 2 || static_cast<std::size_t>(used) != text.size() || !sane(options.width) ||
-        !sane(options.height))
-        fail(ExitCode::usage, fmt::format("--size {} is not a size", text),
-             fmt::format("write WIDTHxHEIGHT in pixels, each 1 to {}, as in --size 640x360", largestSide_px));
-}
 
 void addRender(CLI::App& app, RenderOptions& options, std::string& size)
 {
@@ -86,6 +72,8 @@ ExitCode runCommandLine(const std::vector<std::string>& arguments)
     RenderOptions options;
     std::string size = "1280x720";
     addRender(app, options, size);
+    BenchOptions benchOptions;
+    addBench(app, benchOptions);
     refuseUnknownCommand(app, arguments);
     try {
         // CLI11 takes the arguments from the back.
@@ -95,9 +83,13 @@ ExitCode runCommandLine(const std::vector<std::string>& arguments)
             app.exit(error);
             return ExitCode::done;
         }
-        fail(ExitCode::usage, error.what(), "run 'dioptre render --help' for the options");
+        const bool named = !arguments.empty() && !arguments.front().starts_with('-');
+        fail(ExitCode::usage, error.what(),
+             "run 'dioptre " + (named ? arguments.front() + " " : "") + "--help' for the options");
     }
-    readSize(size, options);
+    if (app.got_subcommand("bench"))
+        return bench(benchOptions);
+    readSize(size, options.width, options.height);
     return render(options);
 }
 

@@ -33,6 +33,11 @@ std::string scene(const std::string& text)
 const std::string small = " --size 16x9 --spp 1 -o a.png";
 const std::string renderBad = "dioptre render bad.toml" + small;
 
+// A copy of the sources that the program reads, to be edited.
+const std::string ownSources =
+    "mkdir -p own/host/command; cp -r \"$SOURCES/glsl\" own/glsl; ln -s \"$SOURCES/textures\" own/textures; "
+    "export DIOPTRE_GLSL=$PWD/own/glsl; ";
+
 const std::vector<Case> cases = {
     {"NoCommand", "", "dioptre", 2, {"subcommand", "--help"}},
     {"UnknownCommand", "", "dioptre rendr still_life", 2, {"rendr"}},
@@ -163,6 +168,54 @@ const std::vector<Case> cases = {
      "dioptre render p.frag" + small,
      66,
      {"p.frag:1", "none.glsl"}},
+    {"BenchOfNothing", "", "dioptre bench", 2, {"inputs", "'dioptre bench --help'"}},
+    {"BenchOfAnUnknownScene",
+     "",
+     "dioptre bench glass stil_life",
+     66,
+     {"stil_life", "did you mean 'still_life'"}},
+    {"BenchOfAMissingFile",
+     "",
+     "dioptre bench me@home/no.toml@trace.budget=2",
+     66,
+     {"me@home/no.toml is no file"}},
+    {"BenchOfAPlainShader", "touch p.frag", "dioptre bench p.frag", 2, {"p.frag", "plain shader"}},
+    {"BenchOverrideOfNothing",
+     "",
+     "dioptre bench glass glass@trace.frm=loop",
+     65,
+     {"glass@trace.frm=loop: ", "form"}},
+    {"BenchOverrideWithoutValue", "", "dioptre bench glass@loop", 2, {"glass@loop", "path=value"}},
+    {"BenchOverrideMissing", "", "dioptre bench glass@", 2, {"glass@", "path=value"}},
+    {"BenchOverrideOfTheWrongKind", "", "dioptre bench glass@trace.budget=many", 65, {"trace.budget=many"}},
+    {"BenchOfNoFrames", "", "dioptre bench glass --frames 0", 2, {"--frames"}},
+    {"BenchOfNoColdStarts", "", "dioptre bench glass --cold 0", 2, {"--cold"}},
+    {"BenchSizeOfNonsense", "", "dioptre bench glass --size 9", 2, {"--size 9", "WIDTHxHEIGHT"}},
+    {"BenchOfAShaderThatBreaks",
+     ownSources + "sed -i 's/^}/    undeclared = 1.0;\\n}/' own/glsl/trace/sky.glsl",
+     "dioptre bench still_life --size 8x8",
+     65,
+     {"sky.glsl:", "undeclared", "does not compile"}},
+    {"BenchWithoutOpenGl",
+     "",
+     "LIBGL_DRIVERS_PATH=/nowhere __EGL_VENDOR_LIBRARY_DIRS=/nowhere dioptre bench glass --backend egl",
+     69,
+     {"egl-surfaceless", "egl-device", "egl-default"}},
+    {"BenchWithoutThePlainTracer",
+     ownSources,
+     "dioptre bench glass --python",
+     66,
+     {"own/host/command/plain_tracer.py", "--python"}},
+    {"BenchWithoutPython",
+     ownSources + "touch own/host/command/plain_tracer.py",
+     "(PATH=/nowhere; dioptre bench glass --python)",
+     69,
+     {"python3", "install"}},
+    {"BenchWithATracerThatFails",
+     ownSources + "echo 'raise SystemExit(\"knows no glass\")' >own/host/command/plain_tracer.py",
+     "dioptre bench glass --python",
+     65,
+     {"glass.toml", "knows no glass"}},
 };
 
 class Refusal : public testing::TestWithParam<Case>

@@ -1,0 +1,101 @@
+#include "command/bench_input.h"
+#include "command/bench_result.h"
+#include "command/cold_start.h"
+#include "command/command.h"
+#include "command/input.h"
+#include "command/plain_tracer.h"
+#include "command/progress.h"
+#include "render/interleave.h"
+#include "render/still.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace dioptre
+{
+namespace
+{
+
+constexpr double budgetAnInput_ms = 20000.0;
+
+Rounds roundsOf(const BenchOptions& options, std::size_t inputs)
+{
+    Rounds rounds;
+    if (options.frames > 0)
+        rounds.most = static_cast<std::size_t>(options.frames);
+    else
+        rounds.budget_ms = budgetAnInput_ms * static_cast<double>(inputs);
+    return rounds;
+}
+
+// Of the frame that was drawn last; it is checked on the way.
+double raysPerPixel(const Renderer& renderer, const std::string& name)
+{
+    Still still;
+    still.picture = renderer.read();
+    finish(still, 1.0F, 1.0);
+    if (still.nonfinite > 0)
+        fmt::print(stderr, "dioptre: {}: {} pixels are not finite\n", name, still.nonfinite);
+    return still.raysPerSample;
+}
+
+// All inputs in one context; rows and inputs correspond.
+void timeFrames(const std::vector<BenchInput>& inputs, const BenchOptions& options, BenchResult& result,
+                std::vector<BenchRow>& rows)
+{
+    const ViewSettings view{options.width, options.height, options.samples, glslFolder()};
+    const auto context = makeContext(options.backend);
+    const ClockKind kind = clockFor(context->info());
+    const Rounds rounds = roundsOf(options, inputs.size());
+    std::vector<std::unique_ptr<PreparedScene>> prepared; // outlive the renderers
+    std::vector<std::unique_ptr<Renderer>> renderers;
+    for (const auto& input : inputs) {
+        prepared.push_back(std::make_unique<PreparedScene>(prepare(sceneOf(input), view)));
+        renderers.push_back(std::make_unique<Renderer>(*prepared.back(), view, context->info()));
+    }
+    FrameClock clock(kind);
+    const auto times_ms = timeInterleaved(renderers, clock, rounds, terminalProgress());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i].frame_ms = times_ms[i];
+        rows[i].raysPerPixel = raysPerPixel(*renderers[i], rows[i].name);
+    }
+    result.context = context->info();
+    result.clock = nameOf(kind);
+    result.warmUpFrames = rounds.warmUp;
+}
+
+} // namespace
+
+ExitCode bench(const BenchOptions& options)
+{
+    std::vector<BenchInput> inputs;
+    for (const auto& text : options.inputs)
+        inputs.push_back(readBenchInput(text));
+    if (options.coldStart)
+        return startCold(inputs.front(), options);
+    for (const auto& input : inputs)
+        sceneOf(input); // its faults are told before anything is measured
+
+    BenchResult result;
+    result.width = options.width;
+    result.height = options.height;
+    result.samples = options.samples;
+    if (options.python)
+        result.plainTracer = runPlainTracer(inputs.front(), options);
+    inputs.push_back(inputs.front()); // the control
+    std::vector<BenchRow> rows(inputs.size());
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+        rows[i].name = inputs[i].name;
+    rows.back().name += ", again";
+    measureColdStarts(inputs, options, rows, terminalProgress());
+    timeFrames(inputs, options, result, rows);
+
+    result.control = std::move(rows.back());
+    rows.pop_back();
+    result.inputs = std::move(rows);
+    fmt::print("{}", options.json ? benchJson(result) : benchTables(result));
+    return ExitCode::done;
+}
+
+} // namespace dioptre
