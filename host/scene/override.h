@@ -1,7 +1,7 @@
 // The "path=value" of --set, written into a scene's document before it is read.
 #pragma once
 
-#include "scene/document.h"
+#include "scene/document_path.h"
 
 #include <string>
 #include <vector>
@@ -9,9 +9,15 @@
 namespace dioptre
 {
 
+// What an override changed.
+struct Overridden {
+    SourcePosition place; // "--set path=value"
+    Steps steps;
+};
+
 // Throws usage for an override without '=' and for a path that leads nowhere. What the value then says is
 // checked with the rest of the scene, under the place "--set path=value".
-void applyOverrides(Value& document, const std::vector<std::string>& overrides);
+std::vector<Overridden> applyOverrides(Value& document, const std::vector<std::string>& overrides);
 
 // "path=value,path=value" in its parts. A comma within brackets or quotes belongs to the value.
 std::vector<std::string> splitOverrides(const std::string& text);
