@@ -1,7 +1,7 @@
 #include "scene/load.h"
 
 #include "base/file.h"
-#include "scene/document.h"
+#include "scene/animated_document.h"
 #include "scene/override.h"
 #include "scene/sections.h"
 #include "scene/table_reader.h"
@@ -14,7 +14,8 @@ namespace dioptre
 const std::vector<std::string>& sceneKeys()
 {
     static const std::vector<std::string> keys = [] {
-        std::vector<std::string> names{"title", "camera", "sky", "trace", "plan", "material", "light"};
+        std::vector<std::string> names{"title", "camera",   "sky",   "trace",
+                                       "plan",  "material", "light", "animate"};
         names.insert(names.end(), objectKinds().begin(), objectKinds().end());
         return names;
     }();
@@ -35,12 +36,8 @@ std::vector<const Value*> tablesUnder(const Table& document, std::string_view ke
     return tables;
 }
 
-Scene parseScene(const std::string& text, const std::filesystem::path& path,
-                 const std::vector<std::string>& overrides)
+Scene readScene(const Value& document, const std::filesystem::path& path)
 {
-    Value document = parseDocument(text, path.string());
-    applyOverrides(document, overrides);
-
     const TableReader reader(document, "a scene", sceneKeys());
     const Table& sections = reader.table();
     const std::filesystem::path folder = path.parent_path();
@@ -57,9 +54,39 @@ Scene parseScene(const std::string& text, const std::filesystem::path& path,
     return scene;
 }
 
-Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides)
+namespace
 {
-    return parseScene(readFile(path), path, overrides);
+
+void refuseOverridden(const std::vector<Overridden>& overrides, const std::vector<Track>& tracks)
+{
+    for (const Overridden& change : overrides)
+        for (const Track& track : tracks)
+            if (overlap(change.steps, track.steps))
+                fail(ExitCode::usage, change.place,
+                     fmt::format("it is animated at {}, which would take its place", describe(track.where)),
+                     "set the animation's values, or take all animations out by --set animate=[]");
+}
+
+} // namespace
+
+Scene parseScene(const std::string& text, const std::filesystem::path& path,
+                 const std::vector<std::string>& overrides, double time_s)
+{
+    Value document = parseDocument(text, path.string());
+    const std::vector<Overridden> overridden = applyOverrides(document, overrides);
+    Scene still = readScene(document, path);
+    std::vector<Track> tracks = takeTracks(document);
+    if (tracks.empty())
+        return still;
+    refuseOverridden(overridden, tracks);
+    const AnimatedDocument animation{std::move(document), std::move(tracks), path};
+    checkKeys(animation);
+    return sceneAt(animation, time_s);
+}
+
+Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides, double time_s)
+{
+    return parseScene(readFile(path), path, overrides, time_s);
 }
 
 } // namespace dioptre

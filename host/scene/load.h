@@ -13,11 +13,13 @@ namespace dioptre
 // Reads and checks a scene. `overrides` are the "path=value" of --set, applied in order before the checks:
 // the path is a table's ("trace.form", "camera.fov_y_deg", "material.glass.ior", "light.0.diffuse",
 // "sphere.2.radius") or starts with an object's name ("ball.centre"); the value is TOML, or a bare word taken
-// as a string. Throws badInput, inputMissing.
-Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+// as a string. What [[animate]] changes is as it is at `time_s`, seconds; an override of it is refused.
+// Throws badInput, inputMissing.
+Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {},
+                double time_s = 0.0);
 
 // The same from text; `path` is for messages and for the folder that picture names are relative to.
 Scene parseScene(const std::string& text, const std::filesystem::path& path,
-                 const std::vector<std::string>& overrides = {});
+                 const std::vector<std::string>& overrides = {}, double time_s = 0.0);
 
 } // namespace dioptre

@@ -156,6 +156,20 @@ struct Scene {
     std::vector<Material> materials; // in file order
     std::vector<Light> lights;       // in file order
     std::vector<Object> objects;     // in file order: the index is the object's id
+
+    // The rest is empty where nothing is animated.
+    std::vector<std::string> animated; // paths under [[animate]], in file order
+    std::vector<std::size_t> moving;   // objects whose geometry is, ascending
+    // One: what the plan is made from, so that it is the same at every time. The numbers and colours of its
+    // materials and lights are the means of their keys: 0, and a share 1, only where they are so at every
+    // time. All else is as at 0 s.
+    std::vector<Scene> typical;
 };
+
+// What holds at every time: the scene itself where nothing is animated.
+inline const Scene& typicalOf(const Scene& scene)
+{
+    return scene.typical.empty() ? scene : scene.typical.front();
+}
 
 } // namespace dioptre

@@ -23,6 +23,9 @@ std::vector<Light> readLights(const Table& document);
 // Appends the material "default" where an object names none and the scene defines none of that name.
 std::vector<Object> readObjects(const Table& document, std::vector<Material>& materials);
 
+// The whole document as a scene, without regard to its animations; `path` is the file's. Throws badInput.
+Scene readScene(const Value& document, const std::filesystem::path& path);
+
 // The names of the keys that hold arrays of objects: "sphere", "cylinder" and so on.
 const std::vector<std::string>& objectKinds();
 

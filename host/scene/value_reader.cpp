@@ -7,7 +7,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <optional>
 
 namespace dioptre
 {
@@ -20,7 +19,9 @@ std::string elementName(std::string_view name, std::size_t index)
     return fmt::format("{}[{}]", name, index);
 }
 
-std::optional<glm::dvec3> decodedHex(const std::string& text)
+} // namespace
+
+std::optional<glm::dvec3> hexColour(const std::string& text)
 {
     if (text.size() != 7 || text[0] != '#')
         return std::nullopt;
@@ -34,8 +35,6 @@ std::optional<glm::dvec3> decodedHex(const std::string& text)
     }
     return colour;
 }
-
-} // namespace
 
 void refuse(const Value& value, std::string_view name, std::string_view wanted)
 {
@@ -140,7 +139,7 @@ glm::dvec3 colourFrom(const Value& value, std::string_view name)
 {
     constexpr std::string_view wanted = "a colour: [r, g, b], linear, or \"#rrggbb\", sRGB";
     if (const auto* text = std::get_if<std::string>(&value.data)) {
-        const std::optional<glm::dvec3> colour = decodedHex(*text);
+        const std::optional<glm::dvec3> colour = hexColour(*text);
         if (!colour)
             refuse(value, name, wanted);
         return *colour;

@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +47,9 @@ glm::dvec3 vectorFrom(const Value& value, std::string_view name, const Range& ra
 
 // A direction or an edge: as vectorFrom, and not all zero.
 glm::dvec3 nonZeroFrom(const Value& value, std::string_view name);
+
+// "#rrggbb", sRGB, as linear light; nothing for any other text.
+std::optional<glm::dvec3> hexColour(const std::string& text);
 
 // Linear: three numbers of at least 0, or "#rrggbb" decoded from sRGB.
 glm::dvec3 colourFrom(const Value& value, std::string_view name);

@@ -33,7 +33,7 @@ const BadScene badScenes[] = {
     {"MissingValue", "title =\n", 1, 8, "value"},
     // keys
     {"UnknownSection", "[camra]\n", 1, 2, "did you mean 'camera'?"},
-    {"UnknownSectionLikeNone", "[[animate]]\npath = \"x\"\n", 1, 3, "choose from title, camera, sky"},
+    {"UnknownSectionLikeNone", "[[keyframes]]\npath = \"x\"\n", 1, 3, "choose from title, camera, sky"},
     {"UnknownKey", "[trace]\nfrm = \"loop\"\n", 2, 1, "[trace] has no key 'frm': did you mean 'form'?"},
     {"UnknownKeyLikeNone", "[trace]\nwibblewobble = 1\n", 2, 1, "choose from budget, depth, cut_off"},
     {"UnknownKeyOfSphere", "[[sphere]]\ncentre = [0, 0, 0]\nraduis = 1\n", 3, 1, "did you mean 'radius'?"},
