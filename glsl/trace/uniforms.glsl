@@ -52,5 +52,10 @@ layout(std140) uniform ShapeBlock
     vec4 u_index[SHAPE_COUNT];
     vec4 u_kind_first[KIND_COUNT + 1];
 };
+// Geometry of the objects that move, where that of the others stands in the text.
+layout(std140) uniform MovingBlock
+{
+    Shape u_moving[MOVING_COUNT];
+};
 
 uniform sampler2D u_sky_picture; // latitude-longitude, linear radiance

@@ -33,6 +33,7 @@ struct PackedObject {
     int kind = 0;     // packed::KIND_...
     int material = 0; // index into PackedScene::materials
     packed::Shape shape{};
+    int moving = -1; // slot of u_moving in literal geometry, -1 for an object that stands still
 };
 
 enum class RayTree { single, chain, heaviestFirst, breadthFirst };

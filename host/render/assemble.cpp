@@ -20,13 +20,14 @@ namespace
 // The sizes of the tables, as macros.
 std::string countsText(const PackedScene& packed)
 {
+    const auto moving = std::ranges::count_if(packed.objects, [](const auto& o) { return o.moving >= 0; });
     return fmt::format(
         "#define MATERIAL_COUNT {}\n#define FIRST_POINT_LIGHT {}\n#define FIRST_SPOT_LIGHT {}\n"
-        "#define FIRST_GLOW {}\n#define LIGHT_COUNT {}\n#define SHAPE_COUNT {}\n"
+        "#define FIRST_GLOW {}\n#define LIGHT_COUNT {}\n#define SHAPE_COUNT {}\n#define MOVING_COUNT {}\n"
         "#define POOL_SLOTS {}\n#define QUEUE_SLOTS {}\n\n",
         std::max<std::size_t>(1, packed.materials.size()), packed.firstPoint, packed.firstSpot,
         packed.firstGlow, packed.lights.size(), std::max<std::size_t>(1, packed.objects.size()),
-        packed.poolSlots, packed.budget);
+        std::max<std::ptrdiff_t>(1, moving), packed.poolSlots, packed.budget);
 }
 
 // "colour = …" from one array; the layer is chosen by selects on the picture's index.
@@ -133,7 +134,7 @@ std::string sceneText(const Scene& scene, const Plan& plan, const PackedScene& p
     if (plan.has("picture"))
         text += picturesText(pictureGroups(packed));
     text += plan.has("geometry table") ? "#include \"trace/scene_table.glsl\"\n"
-                                       : lookupText(scene, packed, plan);
+                                       : lookupText(typicalOf(scene), packed, plan);
     if (plan.form == SceneForm::loop && plan.has("objects"))
         return text + "#include \"trace/scene_loop.glsl\"\n";
     return text + literalScene(scene, packed, plan);

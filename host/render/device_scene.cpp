@@ -66,6 +66,15 @@ void uploadTextures(DeviceScene& device, const PackedScene& packed)
     }
 }
 
+std::vector<float> movingValues(const PackedScene& packed)
+{
+    std::vector<float> values;
+    for (const auto& object : packed.objects) // slots rise with the ids
+        if (object.moving >= 0)
+            append(values, object.shape);
+    return values;
+}
+
 std::vector<float> shapeValues(const PackedScene& packed)
 {
     const ShapeTable table = shapeTable(packed);
@@ -104,6 +113,8 @@ DeviceScene upload(const PackedScene& packed, const Plan& plan)
         addBlock(device, "LightBlock", lights, "lights");
     if (plan.has("geometry table"))
         addBlock(device, "ShapeBlock", shapeValues(packed), "objects, which this shader reads from a table,");
+    if (plan.has("moving geometry"))
+        addBlock(device, "MovingBlock", movingValues(packed), "objects that move");
     uploadTextures(device, packed);
     return device;
 }

@@ -33,6 +33,8 @@ Scene underLightType(Scene scene)
         showUnlit(scene);
     if (scene.trace.lightType == LightType::lightsOnly)
         showLightsAlone(scene);
+    for (auto& typical : scene.typical)
+        typical = underLightType(std::move(typical));
     return scene;
 }
 

@@ -16,29 +16,33 @@ glm::dvec3 xyz(const glm::dvec4& v)
     return glm::dvec3(v.x, v.y, v.z);
 }
 
+constexpr ShapeRow anchorRow{"anchor", &packed::Shape::anchor};
+constexpr ShapeRow axisRow{"axis", &packed::Shape::axis};
+constexpr ShapeRow alongURow{"along_u", &packed::Shape::along_u};
+constexpr ShapeRow alongVRow{"along_v", &packed::Shape::along_v};
+
 // A kernel's arguments after the ray and the object.
 std::string geometry(const PackedObject& object)
 {
-    const auto& shape = object.shape;
-    const auto anchor = literal(xyz(shape.anchor));
-    const auto axis = literal(xyz(shape.axis));
-    const auto radius = literal(shape.anchor.w);
+    const auto anchor = rowText(object, anchorRow, ".xyz");
+    const auto axis = rowText(object, axisRow, ".xyz");
+    const auto alongU = rowText(object, alongURow, ".xyz");
+    const auto alongV = rowText(object, alongVRow, ".xyz");
+    const auto radius = rowText(object, anchorRow, ".w");
     switch (object.kind) {
     case packed::KIND_SPHERE:
         return anchor + ", " + radius;
     case packed::KIND_OPEN_CYLINDER:
     case packed::KIND_CAPPED_CYLINDER:
-        return fmt::format("{}, {}, {}, {}", anchor, axis, radius, literal(shape.axis.w));
+        return fmt::format("{}, {}, {}, {}", anchor, axis, radius, rowText(object, axisRow, ".w"));
     case packed::KIND_PLANE:
         return anchor + ", " + axis;
     case packed::KIND_DISK:
         return fmt::format("{}, {}, {}", anchor, axis, radius);
     case packed::KIND_RECTANGLE:
-        return fmt::format("{}, {}, {}, {}", anchor, axis, literal(xyz(shape.along_u)),
-                           literal(xyz(shape.along_v)));
+        return fmt::format("{}, {}, {}, {}", anchor, axis, alongU, alongV);
     default:
-        return fmt::format("{}, {}, {}, {}", anchor, literal(xyz(shape.along_u)), literal(xyz(shape.along_v)),
-                           axis);
+        return fmt::format("{}, {}, {}, {}", anchor, alongU, alongV, axis);
     }
 }
 
@@ -133,6 +137,14 @@ std::string literal(const glm::dvec4& value)
 {
     return fmt::format("vec4({}, {}, {}, {})", literal(value.x), literal(value.y), literal(value.z),
                        literal(value.w));
+}
+
+std::string rowText(const PackedObject& object, const ShapeRow& row, std::string_view part)
+{
+    if (object.moving >= 0)
+        return fmt::format("u_moving[{}].{}{}", object.moving, row.name, part);
+    const glm::dvec4& values = object.shape.*row.values;
+    return part == ".xyz" ? literal(xyz(values)) : literal(values.w);
 }
 
 std::string literalScene(const Scene& scene, const PackedScene& packed, const Plan& plan)

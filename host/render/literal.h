@@ -16,8 +16,17 @@ std::string literal(double value);
 std::string literal(const glm::dvec3& value);
 std::string literal(const glm::dvec4& value);
 
-// nearestHit() and lightThrough() with every object's geometry as constants, one call of a kernel per object
-// in the order of their ids.
+// A row of Shape.
+struct ShapeRow {
+    const char* name;
+    glm::dvec4 packed::Shape::*values;
+};
+
+// The part ".xyz" or ".w" of a row of an object's geometry: constants, or the uniforms of one that moves.
+std::string rowText(const PackedObject& object, const ShapeRow& row, std::string_view part);
+
+// nearestHit() and lightThrough() with every object's geometry as constants, or as uniforms where it moves,
+// one call of a kernel per object in the order of their ids.
 std::string literalScene(const Scene& scene, const PackedScene& packed, const Plan& plan);
 
 } // namespace dioptre

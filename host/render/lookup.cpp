@@ -99,21 +99,20 @@ ShapeParts partsOf(int kind, bool worn)
             .along = worn};
 }
 
-// One member of Shape: its xyz and its w apart, for they matter to different objects.
-std::string memberText(const PackedScene& packed, const char* member, glm::dvec4 packed::Shape::*field,
+// One row of Shape: its xyz and its w apart, for they matter to different objects.
+std::string rowSelects(const PackedScene& packed, const ShapeRow& row,
                        const std::function<bool(std::size_t)>& needsXyz,
                        const std::function<bool(std::size_t)>& needsW)
 {
     using Value = std::optional<std::string>;
     const auto count = packed.objects.size();
     const auto xyz = [&](std::size_t id) {
-        const auto& v = packed.objects[id].shape.*field;
-        return needsXyz(id) ? Value(literal(glm::dvec3(v.x, v.y, v.z))) : Value();
+        return needsXyz(id) ? Value(rowText(packed.objects[id], row, ".xyz")) : Value();
     };
     const auto w = [&](std::size_t id) {
-        return needsW(id) ? Value(literal((packed.objects[id].shape.*field).w)) : Value();
+        return needsW(id) ? Value(rowText(packed.objects[id], row, ".w")) : Value();
     };
-    return fmt::format("    shape.{0}.xyz = {1};\n    shape.{0}.w = {2};\n", member,
+    return fmt::format("    shape.{0}.xyz = {1};\n    shape.{0}.w = {2};\n", row.name,
                        selectText("object", count, xyz, "vec3(0.0)"), selectText("object", count, w, "0.0"));
 }
 
@@ -123,18 +122,17 @@ std::string shapeText(const Scene& scene, const PackedScene& packed, const Plan&
         const auto& material = scene.materials[scene.objects[id].material];
         return partsOf(packed.objects[id].kind, plan.defines.contains("HAS_COORDINATES") && wears(material));
     };
-    const auto member = [&](const char* name, glm::dvec4 packed::Shape::*field, bool ShapeParts::*xyz,
-                            bool ShapeParts::*w) {
-        return memberText(
-            packed, name, field, [&](std::size_t id) { return parts(id).*xyz; },
+    const auto row = [&](const ShapeRow& which, bool ShapeParts::*xyz, bool ShapeParts::*w) {
+        return rowSelects(
+            packed, which, [&](std::size_t id) { return parts(id).*xyz; },
             [&](std::size_t id) { return parts(id).*w; });
     };
     return "// What is read of an object's geometry once it is met.\nShape shapeOf(int object)\n{\n    Shape "
            "shape;\n" +
-           member("anchor", &packed::Shape::anchor, &ShapeParts::anchor, &ShapeParts::anchor_w) +
-           member("axis", &packed::Shape::axis, &ShapeParts::axis, &ShapeParts::axis_w) +
-           member("along_u", &packed::Shape::along_u, &ShapeParts::along, &ShapeParts::along) +
-           member("along_v", &packed::Shape::along_v, &ShapeParts::along, &ShapeParts::along) +
+           row({"anchor", &packed::Shape::anchor}, &ShapeParts::anchor, &ShapeParts::anchor_w) +
+           row({"axis", &packed::Shape::axis}, &ShapeParts::axis, &ShapeParts::axis_w) +
+           row({"along_u", &packed::Shape::along_u}, &ShapeParts::along, &ShapeParts::along) +
+           row({"along_v", &packed::Shape::along_v}, &ShapeParts::along, &ShapeParts::along) +
            "    return shape;\n}\n\n";
 }
 

@@ -65,15 +65,23 @@ vec4 bendingOf(double inside, double outside)
     return vec4(leaving, entering, (entering - 1.0) * (entering + 1.0), (leaving - 1.0) * (leaving + 1.0));
 }
 
-packed::Material packMaterial(const Scene& scene, const Plan& plan, const Material& material)
+// What a material does to shadows, the same at every time: the shader's text holds it. Glass that is clear at
+// times alone tints throughout, black at the others.
+int shadowOf(const Material& typical)
 {
+    const bool tints =
+        typical.shadow == ShadowKind::tinted && typical.transmit * (1.0 - typical.mirror) > 0.0;
+    return typical.shadow == ShadowKind::none ? packed::SHADOW_NONE
+           : tints                            ? packed::SHADOW_TINTED
+                                              : packed::SHADOW_OPAQUE;
+}
+
+packed::Material packMaterial(const Scene& scene, const Plan& plan, std::size_t index)
+{
+    const Material& material = scene.materials[index];
     const Material air;
     const Material& outside = material.outside ? scene.materials[*material.outside] : air;
     const double passing = material.transmit * (1.0 - material.mirror);
-    const bool tints = material.shadow == ShadowKind::tinted && passing > 0.0;
-    const int shadow = material.shadow == ShadowKind::none ? packed::SHADOW_NONE
-                       : tints                             ? packed::SHADOW_TINTED
-                                                           : packed::SHADOW_OPAQUE;
     const Checker checker = material.checker.value_or(Checker{{glm::dvec3(1.0), glm::dvec3(1.0)}, 0.0});
     const bool hasAmbient = material.ambient.has_value();
     packed::Material result;
@@ -88,7 +96,7 @@ packed::Material packMaterial(const Scene& scene, const Plan& plan, const Materi
     result.bending = bendingOf(material.ior, outside.ior);
     result.absorption =
         vec4(material.absorption, material.outside ? indexIn(plan.materials, *material.outside) : -1);
-    result.shadow_tint = vec4(material.colour * passing, shadow);
+    result.shadow_tint = vec4(material.colour * passing, shadowOf(typicalOf(scene).materials[index]));
     // Where an object holds the medium around, its chord counts this one's too, and the difference is left. A
     // medium that no object bounds counts on no shadow ray.
     const bool bounded = material.outside && std::ranges::any_of(scene.objects, [&](const Object& object) {
@@ -161,15 +169,18 @@ glm::dvec3 sceneOrigin(const Scene& scene)
 
 PackedScene pack(const Scene& scene, const Plan& plan, const View& view)
 {
-    const glm::dvec3 origin = sceneOrigin(scene);
+    // Constants in the shader's text are relative to it: it stays where it is while the camera moves.
+    const glm::dvec3 origin = sceneOrigin(typicalOf(scene));
     PackedScene result;
     for (const auto& object : scene.objects) {
         result.objects.push_back(packShape(object, origin));
         refuseBeyondFloat(object, result.objects.back());
         result.objects.back().material = indexIn(plan.materials, object.material);
     }
+    for (std::size_t i = 0; i < scene.moving.size(); ++i)
+        result.objects[scene.moving[i]].moving = static_cast<int>(i);
     for (const auto i : plan.materials)
-        result.materials.push_back(packMaterial(scene, plan, scene.materials[i]));
+        result.materials.push_back(packMaterial(scene, plan, i));
     for (const auto i : plan.placedLights) {
         result.lights.push_back(packLight(scene.lights[i], origin));
         result.firstPoint += scene.lights[i].kind < Light::Kind::point ? 1 : 0;

@@ -34,6 +34,7 @@ Plan Planner::make()
     lights();
     sky();
     form();
+    animation();
     gatherDefines();
     values();
     gatherDefines();
@@ -114,6 +115,16 @@ void Planner::shapes()
 bool seesDirections(const Plan& plan)
 {
     return plan.has("objects") || plan.has("sky gradient") || plan.has("sky picture");
+}
+
+void Planner::animation()
+{
+    const auto moving = scene_.moving.size();
+    const bool literal = plan_.form == SceneForm::literal;
+    add("animation", !scene_.animated.empty(), join(scene_.animated, ", "), "nothing changes with time", {});
+    add("moving geometry", literal && moving > 0,
+        fmt::format("{} object{}: geometry as uniforms", moving, moving == 1 ? "" : "s"),
+        moving == 0 ? "no object moves" : "trace.form is loop: all geometry is in the table", {});
 }
 
 const Feature& Plan::feature(const std::string& name) const

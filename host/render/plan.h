@@ -67,7 +67,7 @@ bool wears(const Material& material);
 // lights alone mean no ambient light and a black sky.
 Scene underLightType(Scene scene);
 
-// `scene` must have gone through underLightType().
+// `scene` must have gone through underLightType(). The plan of an animated scene is the same at every time.
 Plan makePlan(const Scene& scene);
 
 } // namespace dioptre

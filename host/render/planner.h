@@ -12,7 +12,7 @@ namespace dioptre
 class Planner
 {
 public:
-    explicit Planner(const Scene& scene) : scene_(scene) {}
+    explicit Planner(const Scene& scene) : scene_(typicalOf(scene)) {}
     Plan make();
 
 private:
@@ -56,8 +56,9 @@ private:
     void form();
     void values();
     void gatherDefines();
+    void animation();
 
-    const Scene& scene_;
+    const Scene& scene_; // as it is at every time
     Plan plan_;
     bool lit_ = false; // some surface shows light that falls on it
 };

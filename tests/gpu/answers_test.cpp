@@ -56,9 +56,9 @@ public:
     PictureFiles(const PictureFiles&) = delete;
     PictureFiles& operator=(const PictureFiles&) = delete;
 
-    Request request(const Answer& answer, const std::vector<std::string>& more) const
+    Request request(const Answer& answer, const std::vector<std::string>& more, double time_s) const
     {
-        Request request{answer.width, answer.height, answer.samples, overrides_, "auto"};
+        Request request{answer.width, answer.height, answer.samples, overrides_, "auto", time_s};
         request.overrides.insert(request.overrides.end(), more.begin(), more.end());
         return request;
     }
@@ -69,14 +69,15 @@ private:
 };
 
 // The first few failures of a picture, under the settings that drew it.
-void expectHolds(const Answer& answer, const Picture& picture, const std::string& settings)
+void expectHolds(const Answer& answer, const Picture& picture, double time_s, const std::string& how)
 {
+    const std::string settings = fmt::format("{}, at {} s", how, time_s);
     std::size_t bad = 0;
     for (std::size_t i = 0; i < picture.floats.size(); ++i)
         bad += std::isfinite(picture.floats[i]) ? 0 : 1;
     EXPECT_EQ(bad, 0U) << answer.scene.string() << ": values that are NaN or infinite, " << settings;
     constexpr std::size_t shown = 5;
-    const auto failures = failuresOf(answer, picture);
+    const auto failures = failuresOf(answer, picture, time_s);
     for (std::size_t i = 0; i < std::min(shown, failures.size()); ++i)
         ADD_FAILURE() << failures[i] << ", " << settings;
     if (failures.size() > shown)
@@ -106,9 +107,12 @@ TEST_P(Answers, Hold)
     const PictureFiles files(answer);
     std::vector<std::vector<std::string>> settings{{"trace.form=literal"}, {"trace.form=loop"}};
     settings.insert(settings.end(), answer.also.begin(), answer.also.end());
-    for (const auto& overrides : settings)
-        expectHolds(answer, renderScene(GetParam(), files.request(answer, overrides)).picture,
-                    joined(overrides));
-    if (referenceSpeaks())
-        expectHolds(answer, renderDouble(GetParam(), files.request(answer, {})), "double precision");
+    for (const double time_s : momentsOf(answer)) {
+        for (const auto& overrides : settings)
+            expectHolds(answer, renderScene(GetParam(), files.request(answer, overrides, time_s)).picture,
+                        time_s, joined(overrides));
+        if (referenceSpeaks())
+            expectHolds(answer, renderDouble(GetParam(), files.request(answer, {}, time_s)), time_s,
+                        "double precision");
+    }
 }

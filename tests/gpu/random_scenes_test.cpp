@@ -20,7 +20,7 @@ TEST(RandomScenes, DrawOnTheDeviceAsInDoublePrecision)
     for (unsigned seed = 1; seed <= count; ++seed) {
         const auto text = randomScene(seed);
         for (const char* form : {"trace.form=literal", "trace.form=loop"}) {
-            const Request request{24, 16, 1, {form}, "auto"};
+            const Request request{24, 16, 1, {form}, "auto", 0.35};
             SCOPED_TRACE("seed " + std::to_string(seed) + ", " + form + "\n" + text);
             ASSERT_NO_THROW({
                 const auto still = renderSceneText(text, request);

@@ -33,6 +33,11 @@ std::string with(const std::string& material, const std::string& rest = "")
 
 const std::string point = "[[light]]\nkind = \"point\"\nposition = [0, 9, 0]\n";
 
+std::string animated(const std::string& path, const std::string& values)
+{
+    return plain + "[[animate]]\npath = \"" + path + "\"\ntimes = [0, 1]\nvalues = " + values + "\n";
+}
+
 const std::vector<Toggle> toggles = {
     {"open cylinder",
      "[[cylinder]]\nbase = [0, 0, 0]\naxis = [0, 1, 0]\nradius = 1\n",
@@ -80,6 +85,8 @@ const std::vector<Toggle> toggles = {
     {"sky picture", with("", "[sky]\nimage = \"sky.exr\"\n"), {"u_sky_picture", "latLong"}},
     {"depth limit", with("mirror = 0.5", "[trace]\ndepth = 3\n"), {"u_depth", "bounces"}},
     {"ray queue", with("mirror = 0.5", "[trace]\norder = \"breadth-first\"\n"), {"traceBreadthFirst"}},
+    {"animation", animated("camera.eye.0", "[0, 1]"), {}},
+    {"moving geometry", animated("sphere.0.radius", "[1, 2]"), {"MovingBlock", "u_moving[0].anchor.w"}},
     {"geometry table", with("", "[trace]\nform = \"loop\"\n"), {"ShapeBlock", "crossingOf"}},
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -95,6 +96,7 @@ Expectation readExpectation(Words& words, const Answer& answer, int line)
 {
     Expectation expectation;
     expectation.line = line;
+    expectation.time_s = answer.time_s;
     expectation.x1 = answer.width - 1;
     expectation.y1 = answer.height - 1;
     const auto what = words.next<std::string>();
@@ -137,6 +139,8 @@ void readLine(const std::string& key, Words& words, int line, Answer& answer)
         answer.height = words.next<int>();
     } else if (key == "samples") {
         answer.samples = words.next<int>();
+    } else if (key == "time") {
+        answer.time_s = words.next<double>();
     } else if (key == "picture") {
         answer.pictures.push_back(readPictureLine(words));
     } else if (key == "also") {
@@ -250,11 +254,21 @@ Picture pictureOf(const BlockPicture& blocks)
     return picture;
 }
 
-std::vector<std::string> failuresOf(const Answer& answer, const Picture& picture)
+std::vector<double> momentsOf(const Answer& answer)
+{
+    std::set<double> moments;
+    for (const auto& expectation : answer.expectations)
+        moments.insert(expectation.time_s);
+    return {moments.begin(), moments.end()};
+}
+
+std::vector<std::string> failuresOf(const Answer& answer, const Picture& picture, double time_s)
 {
     std::vector<std::string> failures;
     Picture bytes;
     for (const auto& expectation : answer.expectations) {
+        if (expectation.time_s != time_s)
+            continue;
         if (expectation.kind == Expectation::Kind::png && bytes.bytes.empty())
             bytes = throughPng(picture);
         const Picture& seen = expectation.kind == Expectation::Kind::png ? bytes : picture;

@@ -4,9 +4,9 @@
 //   # picture: sky.image = blocks of 8: rg / bw       made for the test, top row first: a letter is 8 x 8
 //                                                     texels of black k, full r g b c m y w, or grey h (188)
 //   # also: trace.order=breadth-first trace.budget=9  one more rendering, under these overrides
-//   # expect: pixel 4,4 = 0.04 0.04 0.04 within 1e-5  counted from the lower left corner
-//   # expect: pixels 0,0 to 8,3 = 1 0 0 within 1e-5   both corners included
-//   # expect: every pixel = 1 1 1 within 1e-5
+//   # time: 1.5                                       seconds: the lines below expect this moment; 0 above
+//   the first # expect: pixel 4,4 = 0.04 0.04 0.04 within 1e-5  counted from the lower left corner # expect:
+//   pixels 0,0 to 8,3 = 1 0 0 within 1e-5   both corners included # expect: every pixel = 1 1 1 within 1e-5
 //   # expect: png 4,4 = 188 128 10                    bytes of the written file
 //   # expect: symmetric left-right within 1e-5        or top-bottom, diagonal
 #pragma once
@@ -24,6 +24,7 @@ struct Expectation {
     enum class Kind { colour, png, leftRight, topBottom, diagonal };
     Kind kind = Kind::colour;
     int line = 0;           // in the file
+    double time_s = 0.0;    // of the picture that it speaks of
     int x0 = 0, y0 = 0;     // first pixel
     int x1 = 0, y1 = 0;     // last pixel
     double value[3] = {};   // linear radiance, or bytes
@@ -42,6 +43,7 @@ struct Answer {
     int width = 9;
     int height = 9;
     int samples = 1;
+    double time_s = 0.0; // while reading: of the lines to come
     std::vector<BlockPicture> pictures;
     std::vector<std::vector<std::string>> also;
     std::vector<Expectation> expectations;
@@ -55,7 +57,11 @@ Answer readAnswer(const std::filesystem::path& scene);
 
 Picture pictureOf(const BlockPicture& blocks);
 
-// What the picture fails of the answer, each with file, line, pixel, expected and found. Empty: it holds.
-std::vector<std::string> failuresOf(const Answer& answer, const Picture& picture);
+// The moments that the answer speaks of, each once.
+std::vector<double> momentsOf(const Answer& answer);
+
+// What the picture of a moment fails of the answer, each with file, line, pixel, expected and found. Empty:
+// it holds.
+std::vector<std::string> failuresOf(const Answer& answer, const Picture& picture, double time_s);
 
 } // namespace dioptre::test

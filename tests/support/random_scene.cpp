@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <initializer_list>
 #include <random>
 #include <vector>
@@ -146,6 +147,31 @@ std::string shape(Dice& dice, bool mustBeSphere)
     }
 }
 
+// The path to the first vector of a shape, of which `count` of its kind stand before it: "sphere.2.centre".
+std::string placeOf(const std::string& shape, std::size_t count)
+{
+    const auto kind = shape.substr(2, shape.find(']') - 2);
+    const auto key = shape.find('\n') + 1;
+    return fmt::format("{}.{}.{}", kind, count, shape.substr(key, shape.find(' ', key) - key));
+}
+
+// Some of the shapes on the move, by dice of its own: the rest of a scene is as it is without.
+std::string animations(unsigned seed, const std::vector<std::string>& shapes)
+{
+    Dice dice(seed + 1000000U);
+    std::string text;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const auto kind = shapes[i].substr(0, shapes[i].find('\n'));
+        const auto before = std::count_if(shapes.begin(), shapes.begin() + static_cast<std::ptrdiff_t>(i),
+                                          [&](const auto& shape) { return shape.starts_with(kind); });
+        if (dice.chance(0.3))
+            text += fmt::format("[[animate]]\npath = \"{}\"\ntimes = [0, 1]\nvalues = [{}, {}]\n",
+                                placeOf(shapes[i], static_cast<std::size_t>(before)), dice.vector(1.5),
+                                dice.vector(1.5));
+    }
+    return text;
+}
+
 } // namespace
 
 std::string randomScene(unsigned seed)
@@ -164,12 +190,14 @@ std::string randomScene(unsigned seed)
     }
     for (std::size_t i = dice.below(4); i > 0; --i)
         text += light(dice);
+    std::vector<std::string> shapes;
     for (std::size_t i = dice.below(6); i > 0; --i) {
         const auto chosen = dice.below(materials);
-        text += shape(dice, glows[chosen]) + fmt::format("material = \"m{}\"\nrotate_texture_deg = {:.1f}\n",
-                                                         chosen, dice.between(-200.0, 200.0));
+        shapes.push_back(shape(dice, glows[chosen]));
+        text += shapes.back() + fmt::format("material = \"m{}\"\nrotate_texture_deg = {:.1f}\n", chosen,
+                                            dice.between(-200.0, 200.0));
     }
-    return text;
+    return text + animations(seed, shapes);
 }
 
 } // namespace dioptre::test

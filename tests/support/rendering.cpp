@@ -74,22 +74,22 @@ const ContextInfo& contextFor(const std::string& backend)
 
 Still renderScene(const std::filesystem::path& scene, const Request& request)
 {
-    return renderLoaded(loadScene(scene, request.overrides), request);
+    return renderLoaded(loadScene(scene, request.overrides, request.time_s), request);
 }
 
 Still renderSceneText(const std::string& toml, const Request& request)
 {
-    return renderLoaded(parseScene(toml, besideTheGallery, request.overrides), request);
+    return renderLoaded(parseScene(toml, besideTheGallery, request.overrides, request.time_s), request);
 }
 
 Picture renderDouble(const std::filesystem::path& scene, const Request& request)
 {
-    return renderLoadedDouble(loadScene(scene, request.overrides), request);
+    return renderLoadedDouble(loadScene(scene, request.overrides, request.time_s), request);
 }
 
 Picture renderDoubleText(const std::string& toml, const Request& request)
 {
-    return renderLoadedDouble(parseScene(toml, besideTheGallery, request.overrides), request);
+    return renderLoadedDouble(parseScene(toml, besideTheGallery, request.overrides, request.time_s), request);
 }
 
 } // namespace dioptre::test

@@ -15,6 +15,7 @@ struct Request {
     int samples = 1;
     std::vector<std::string> overrides; // as --set
     std::string backend = "auto";
+    double time_s = 0.0;
 };
 
 // glsl/ of the sources, or $DIOPTRE_GLSL where set: mutants put their own there.
