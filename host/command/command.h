@@ -14,12 +14,13 @@ ExitCode runCommandLine(const std::vector<std::string>& arguments);
 
 // What `dioptre render` was asked for.
 struct RenderOptions {
-    std::string input;  // gallery name, scene file, or plain shader
-    std::string output; // .png or .exr; the input's name with .png in the current folder where empty
-    int width = 1280;   // pixels
-    int height = 720;   // pixels
-    int samples = 16;   // a pixel
-    int budget = 0;     // rays a sample; 0 leaves it to the scene
+    std::string input;   // gallery name, scene file, or plain shader
+    std::string output;  // .png or .exr; the input's name with .png in the current folder where empty
+    int width = 1280;    // pixels
+    int height = 720;    // pixels
+    int samples = 16;    // a pixel
+    double time_s = 0.0; // of animations and u_time
+    int budget = 0;      // rays a sample; 0 leaves it to the scene
     std::vector<std::string> overrides; // path=value
     std::string backend = "auto";
     bool half = false;      // EXR in 16-bit floats

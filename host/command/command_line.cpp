@@ -32,6 +32,9 @@ void addRender(CLI::App& app, RenderOptions& options, std::string& size)
         ->capture_default_str();
     command->add_option("--budget", options.budget, "rays a sample, the eye ray included")
         ->check(CLI::Range(1, 4096));
+    command->add_option("--time", options.time_s, "the moment of an animated scene, in seconds")
+        ->type_name("S")
+        ->capture_default_str();
     command
         ->add_option("--set", options.overrides,
                      "change a value of the scene, as trace.form=loop; may be repeated")

@@ -12,7 +12,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace dioptre
 {
@@ -35,6 +37,7 @@ Settings settingsOf(const RenderOptions& options, const ContextInfo& context)
                          {"dioptre.input", options.input},
                          {"dioptre.size", fmt::format("{}x{}", options.width, options.height)},
                          {"dioptre.spp", std::to_string(options.samples)},
+                         {"dioptre.time", fmt::format("{}", options.time_s)},
                          {"dioptre.backend", context.backend},
                          {"dioptre.renderer", context.renderer}};
     if (!options.overrides.empty())
@@ -51,9 +54,12 @@ void write(const RenderOptions& options, const Still& still, const ContextInfo& 
         writePng(options.output, still.picture, encode, settings);
 }
 
-// Options that would have no effect are refused, not passed over.
-void refuseIdleOptions(const RenderOptions& options, const Input& input)
+// Options that would have no effect, or no sense, are refused, not passed over.
+void refuseBadOptions(const RenderOptions& options, const Input& input)
 {
+    if (!(std::abs(options.time_s) <= static_cast<double>(std::numeric_limits<float>::max())))
+        fail(ExitCode::usage, fmt::format("--time {} is no moment", options.time_s),
+             "give a number of seconds that a 32-bit float can hold");
     if (options.half && !isExr(options.output))
         fail(ExitCode::usage, "--half is for EXR, and " + options.output + " is a PNG",
              "name the picture FILE.exr");
@@ -93,13 +99,13 @@ struct Rendering {
 
 Rendering renderInput(const RenderOptions& options, const Input& input)
 {
-    StillSettings settings{{options.width, options.height, options.samples, glslFolder()},
-                           terminalProgress()};
+    StillSettings settings{
+        {options.width, options.height, options.samples, glslFolder()}, terminalProgress(), options.time_s};
     Rendering rendering;
     Stopwatch watch;
     double load_ms = 0.0;
     if (!input.plainShader) {
-        rendering.prepared = prepare(loadScene(input.path, options.overrides), settings);
+        rendering.prepared = prepare(loadScene(input.path, options.overrides, options.time_s), settings);
         load_ms = watch.lap_ms();
     }
     if (options.reference) {
@@ -125,7 +131,7 @@ ExitCode render(const RenderOptions& asked)
     const Input input = findInput(options.input);
     if (options.output.empty())
         options.output = input.name + ".png";
-    refuseIdleOptions(options, input);
+    refuseBadOptions(options, input);
     if (options.budget > 0)
         options.overrides.push_back(fmt::format("trace.budget={}", options.budget));
     if (input.plainShader)

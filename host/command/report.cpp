@@ -82,6 +82,7 @@ std::string jsonText(const RenderOptions& options, const Still& still, const Con
         {"output", options.output},
         {"size", {options.width, options.height}},
         {"samples", options.samples},
+        {"time_s", options.time_s},
         {"backend", context.backend},
         {"renderer", context.renderer},
         {"phases_ms",

@@ -104,7 +104,7 @@ Still renderPlain(const std::filesystem::path& shader, const StillSettings& sett
         if (name == "u_resolution")
             glUniform2f(location, static_cast<float>(settings.width), static_cast<float>(settings.height));
         else if (name == "u_time")
-            glUniform1f(location, 0.0F);
+            glUniform1f(location, static_cast<float>(settings.time_s));
         else
             fail(ExitCode::badInput, {shader.string(), 0, 0}, "nothing feeds the uniform " + name,
                  "a plain shader is fed u_resolution and u_time");

@@ -15,6 +15,7 @@ namespace dioptre
 
 struct StillSettings : ViewSettings {
     std::function<void(double)> progress; // told the share that is drawn, 0..1; may be empty
+    double time_s = 0.0;                  // a plain shader's u_time; a scene was read at its time
 };
 
 // Milliseconds by a monotonic clock; a draw is over when glFinish returns.
@@ -49,7 +50,7 @@ Still renderScene(const PreparedScene& prepared, const StillSettings& settings, 
 void finish(Still& still, float scale, double raysScale);
 
 // A plain fragment shader with its own main(): one sample a pixel, no decoding and no encoding. u_resolution
-// and u_time = 0 are fed where declared.
+// and u_time are fed where declared.
 Still renderPlain(const std::filesystem::path& shader, const StillSettings& settings);
 
 } // namespace dioptre

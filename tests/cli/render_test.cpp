@@ -70,6 +70,42 @@ TEST_F(RenderCommand, Png_CarriesItsSettings)
         EXPECT_NE(outcome.out.find(text), std::string::npos) << text;
 }
 
+TEST_F(RenderCommand, Time_IsThatOfThePictureOfItsSettingsAndOfTheFigures)
+{
+    const auto outcome =
+        here("dioptre render orrery --size 64x36 --spp 1 -o 0.png && dioptre render orrery --size "
+             "64x36 --spp 1 --time 2.5 --json -o a.png");
+    ASSERT_EQ(outcome.code, 0) << outcome.error;
+    EXPECT_EQ(nlohmann::json::parse(outcome.out)["time_s"], 2.5);
+    EXPECT_NE(here("strings a.png").out.find("dioptre.time"), std::string::npos);
+    EXPECT_NE(readPicture(folder / "0.png").bytes, readPicture(folder / "a.png").bytes);
+    // The scene loops in 12 s.
+    ASSERT_EQ(here("dioptre render orrery --size 64x36 --spp 1 --time -9.5 -o b.png").code, 0);
+    EXPECT_EQ(readPicture(folder / "b.png").bytes, readPicture(folder / "a.png").bytes);
+}
+
+TEST_F(RenderCommand, Reference_DrawsTheTimeThatIsAsked)
+{
+    const auto outcome =
+        here("dioptre render orrery --size 32x18 --spp 1 --time 5 -o a.exr && dioptre render "
+             "orrery --size 32x18 --spp 1 --time 5 --reference -o b.exr");
+    ASSERT_EQ(outcome.code, 0) << outcome.error;
+    EXPECT_LT(test::compare(readPicture(folder / "a.exr"), readPicture(folder / "b.exr"), 0.01).rmse, 0.01);
+}
+
+TEST_F(RenderCommand, PlainShader_IsFedTheTime)
+{
+    ASSERT_EQ(
+        here(
+            "printf 'uniform float u_time;\\nout vec4 o;\\nvoid main()\\n{\\n    o = vec4(u_time, 0.25, 0.0, "
+            "1.0);\\n}\\n' >p.frag && dioptre render p.frag --size 4x2 --time 0.5 -o a.exr && dioptre "
+            "render p.frag --size 4x2 -o 0.exr")
+            .code,
+        0);
+    EXPECT_EQ(readPicture(folder / "a.exr").floats[0], 0.5F);
+    EXPECT_EQ(readPicture(folder / "0.exr").floats[0], 0.0F);
+}
+
 TEST_F(RenderCommand, EachSet_TakesOneValue_WhereverItStands)
 {
     const auto outcome =
