@@ -45,5 +45,10 @@ struct BenchOptions {
     bool coldStart = false; // be one of those processes
 };
 ExitCode bench(const BenchOptions& options);
+struct ListOptions {
+    bool json = false;
+};
+// Prints the words that the other commands take: scenes, orders, forms, backends.
+ExitCode list(const ListOptions& options);
 
 } // namespace dioptre

@@ -52,6 +52,12 @@ void addRender(CLI::App& app, RenderOptions& options, std::string& size)
     command->add_flag("--json", options.json, "print figures as JSON");
 }
 
+void addList(CLI::App& app, ListOptions& options)
+{
+    auto* command = app.add_subcommand("list", "name the scenes, tree orders, forms and backends there are");
+    command->add_flag("--json", options.json, "print them as JSON");
+}
+
 // CLI11 would only say that a command is missing.
 void refuseUnknownCommand(const CLI::App& app, const std::vector<std::string>& arguments)
 {
@@ -77,6 +83,8 @@ ExitCode runCommandLine(const std::vector<std::string>& arguments)
     addRender(app, options, size);
     BenchOptions benchOptions;
     addBench(app, benchOptions);
+    ListOptions listOptions;
+    addList(app, listOptions);
     refuseUnknownCommand(app, arguments);
     try {
         // CLI11 takes the arguments from the back.
@@ -92,6 +100,8 @@ ExitCode runCommandLine(const std::vector<std::string>& arguments)
     }
     if (app.got_subcommand("bench"))
         return bench(benchOptions);
+    if (app.got_subcommand("list"))
+        return list(listOptions);
     readSize(size, options.width, options.height);
     return render(options);
 }

@@ -16,19 +16,22 @@ namespace
 
 struct Backend {
     const char* name;
+    const char* meaning; // a phrase for people
     ContextTry (*attempt)();
 };
 
 // In the order in which "auto" tries them.
-constexpr std::array<Backend, 4> backends{{{"egl-surfaceless", tryEglSurfaceless},
-                                           {"egl-device", tryEglDevice},
-                                           {"egl-default", tryEglDefault},
-                                           {"osmesa", tryOsMesa}}};
+constexpr std::array<Backend, 4> backends{
+    {{"egl-surfaceless", "Mesa's EGL without display or window", tryEglSurfaceless},
+     {"egl-device", "EGL's first device that works, a graphics card where there is one", tryEglDevice},
+     {"egl-default", "EGL's default display, such as the desktop's", tryEglDefault},
+     {"osmesa", "Mesa in memory without EGL, loaded where it is installed", tryOsMesa}}};
 
-bool answersTo(const Backend& backend, const std::string& request)
+ContextTry attempt(const std::string& name)
 {
-    const std::string name = backend.name;
-    return request == "auto" || request == name || (request == "egl" && name.starts_with("egl-"));
+    const auto* const backend = std::find_if(backends.begin(), backends.end(),
+                                             [&name](const Backend& each) { return each.name == name; });
+    return backend->attempt();
 }
 
 std::string glText(GLenum which)
@@ -47,11 +50,39 @@ std::string glText(GLenum which)
 
 } // namespace
 
-const std::vector<std::string>& backendNames()
+const std::vector<BackendChoice>& backendChoices()
 {
-    static const std::vector<std::string> names{"auto",       "egl",         "egl-surfaceless",
-                                                "egl-device", "egl-default", "osmesa"};
+    static const std::vector<BackendChoice> choices = [] {
+        std::vector<BackendChoice> all{{"auto", "all of the single ones in turn", {}},
+                                       {"egl", "the three of EGL in turn", {}}};
+        for (const Backend& backend : backends) {
+            const std::string name = backend.name;
+            all.push_back({name, backend.meaning, {name}});
+            all[0].tries.push_back(name);
+            if (name.starts_with("egl-"))
+                all[1].tries.push_back(name);
+        }
+        return all;
+    }();
+    return choices;
+}
+
+std::vector<std::string> backendNames()
+{
+    std::vector<std::string> names;
+    for (const BackendChoice& choice : backendChoices())
+        names.push_back(choice.name);
     return names;
+}
+
+const BackendChoice& backendChoice(const std::string& name)
+{
+    const auto& choices = backendChoices();
+    const auto found = std::find_if(choices.begin(), choices.end(),
+                                    [&name](const BackendChoice& choice) { return choice.name == name; });
+    if (found == choices.end())
+        failUnknown(name);
+    return *found;
 }
 
 std::string loadFunctions(GLADloadfunc loader, ContextInfo& info)
@@ -72,19 +103,14 @@ std::string loadFunctions(GLADloadfunc loader, ContextInfo& info)
 
 std::unique_ptr<Context> makeContext(const std::string& backend, std::vector<BackendAttempt>* attempts)
 {
-    const auto& names = backendNames();
-    if (std::find(names.begin(), names.end(), backend) == names.end())
-        failUnknown(backend);
     std::vector<std::string> faults;
-    for (const Backend& candidate : backends) {
-        if (!answersTo(candidate, backend))
-            continue;
-        ContextTry attempt = candidate.attempt();
+    for (const std::string& name : backendChoice(backend).tries) {
+        ContextTry result = attempt(name);
         if (attempts != nullptr)
-            attempts->push_back({candidate.name, attempt.fault});
-        if (attempt.context != nullptr)
-            return std::move(attempt.context);
-        faults.push_back(fmt::format("{}: {}", candidate.name, attempt.fault));
+            attempts->push_back({name, result.fault});
+        if (result.context != nullptr)
+            return std::move(result.context);
+        faults.push_back(fmt::format("{}: {}", name, result.fault));
     }
     fail(ExitCode::noOpenGl, fmt::format("no OpenGL 3.3 context ({})", join(faults, "; ")),
          "install the packages libegl1 and libgl1-mesa-dri, or libosmesa6");

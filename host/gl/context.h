@@ -37,12 +37,23 @@ struct BackendAttempt {
     std::string outcome; // "" when it worked
 };
 
-// The names that --backend takes: "auto", "egl", "egl-surfaceless", "egl-device", "egl-default", "osmesa".
-const std::vector<std::string>& backendNames();
+// A word that --backend takes.
+struct BackendChoice {
+    std::string name;
+    std::string meaning; // a phrase for people
+    std::vector<std::string>
+        tries; // the single backends that it stands for, in the order in which they are tried
+};
 
-// Makes a context by the named backend; "auto" tries EGL surfaceless, EGL device, EGL default and OSMesa in
-// turn, "egl" the first three. Each try is added to `attempts` if given. Throws noOpenGl, naming every
-// attempt, when none works.
+// "auto", "egl", "egl-surfaceless", "egl-device", "egl-default", "osmesa".
+const std::vector<BackendChoice>& backendChoices();
+std::vector<std::string> backendNames();
+
+// Throws usage for a name that is none of them.
+const BackendChoice& backendChoice(const std::string& name);
+
+// Makes a context by the first backend that works of those that the name stands for. Each try is added to
+// `attempts` if given. Throws noOpenGl, naming every attempt, when none works.
 std::unique_ptr<Context> makeContext(const std::string& backend,
                                      std::vector<BackendAttempt>* attempts = nullptr);
 

@@ -16,11 +16,8 @@ Trace readTrace(const Table& document)
     reader.integer("budget", trace.budget, 1, 4096);
     reader.integer("depth", trace.depth, 0, std::numeric_limits<int>::max());
     reader.number("cut_off", trace.cutOff, zeroOrMore);
-    reader.choice<TreeOrder>(
-        "order", trace.order,
-        {{"heaviest-first", TreeOrder::heaviestFirst}, {"breadth-first", TreeOrder::breadthFirst}});
-    reader.choice<SceneForm>("form", trace.form,
-                             {{"literal", SceneForm::literal}, {"loop", SceneForm::loop}});
+    reader.choice<TreeOrder>("order", trace.order, treeOrders);
+    reader.choice<SceneForm>("form", trace.form, sceneForms);
     std::optional<int> lightType;
     reader.integer("light_type", lightType, 0, 2);
     trace.lightType = static_cast<LightType>(lightType.value_or(static_cast<int>(trace.lightType)));

@@ -1,10 +1,12 @@
 // A TOML table read key by key into the fields of a struct; keys that nobody would read are refused first.
 #pragma once
 
+#include "scene/choices.h"
 #include "scene/value_reader.h"
 
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace dioptre
@@ -51,6 +53,17 @@ public:
             words.emplace_back(word);
         if (const std::optional<std::size_t> index = wordIndex(key, words))
             target = std::data(names)[*index].second;
+    }
+
+    // The same from a table of names that others read as well.
+    template <class Choice>
+    void choice(std::string_view key, Choice& target, std::span<const NamedChoice<Choice>> table) const
+    {
+        std::vector<std::string> words;
+        for (const auto& entry : table)
+            words.emplace_back(entry.name);
+        if (const std::optional<std::size_t> index = wordIndex(key, words))
+            target = table[*index].choice;
     }
 
 private:

@@ -42,6 +42,7 @@ const std::vector<Case> cases = {
     {"NoCommand", "", "dioptre", 2, {"subcommand", "--help"}},
     {"UnknownCommand", "", "dioptre rendr still_life", 2, {"rendr"}},
     {"UnknownOption", "", "dioptre render still_life --sise 16x9 -o a.png", 2, {"--sise", "--help"}},
+    {"UnknownOptionOfList", "", "dioptre list --yaml", 2, {"--yaml", "dioptre list --help"}},
     {"SizeOfNonsense", "", "dioptre render still_life --size 16by9 -o a.png", 2, {"16by9", "WIDTHxHEIGHT"}},
     {"SizeOfZero", "", "dioptre render still_life --size 0x9 -o a.png", 2, {"0x9"}},
     {"SizeBeyondOneDraw", "", "dioptre render still_life --size 99999x9 -o a.png", 2, {"99999x9", "16384"}},

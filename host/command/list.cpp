@@ -1,0 +1,103 @@
+#include "base/text.h"
+#include "command/command.h"
+#include "command/input.h"
+#include "gl/context.h"
+#include "scene/choices.h"
+#include "scene/load.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace dioptre
+{
+namespace
+{
+
+// Objects with the same keys; the values are texts and numbers.
+using Rows = std::vector<nlohmann::ordered_json>;
+
+struct Section {
+    std::string name;
+    Rows rows;
+};
+
+// A scene that does not load is listed with the reason: it must not hide the others.
+Rows scenes()
+{
+    Rows rows;
+    for (const std::string& name : galleryNames()) {
+        try {
+            const Scene scene = loadScene(findInput(name).path);
+            rows.push_back({{"name", name}, {"title", scene.title}, {"objects", scene.objects.size()}});
+        } catch (const Error& error) {
+            rows.push_back({{"name", name}, {"title", ""}, {"objects", 0}, {"fault", error.what()}});
+        }
+    }
+    return rows;
+}
+
+// From any table whose entries have a name and a meaning.
+template <class Table>
+Rows namesIn(const Table& table)
+{
+    Rows rows;
+    for (const auto& entry : table)
+        rows.push_back({{"name", entry.name}, {"meaning", entry.meaning}});
+    return rows;
+}
+
+std::vector<Section> sections()
+{
+    return {{"scenes", scenes()},
+            {"orders", namesIn(treeOrders)},
+            {"forms", namesIn(sceneForms)},
+            {"backends", namesIn(backendChoices())}};
+}
+
+// A count reads "10 objects"; a text stands for itself.
+std::string cell(const std::string& key, const nlohmann::ordered_json& value)
+{
+    return value.is_string() ? value.get<std::string>() : fmt::format("{} {}", value.dump(), key);
+}
+
+// Columns as wide as their longest cell.
+std::string textOf(const Section& section)
+{
+    std::vector<std::vector<std::string>> lines;
+    std::vector<std::size_t> widths;
+    for (const auto& row : section.rows) {
+        std::vector<std::string> line;
+        for (const auto& [key, value] : row.items()) {
+            line.push_back(cell(key, value));
+            widths.resize(std::max(widths.size(), line.size()));
+            widths[line.size() - 1] = std::max(widths[line.size() - 1], line.back().size());
+        }
+        lines.push_back(line);
+    }
+    std::string text = section.name + "\n";
+    for (const auto& line : lines) {
+        std::string row = " ";
+        for (std::size_t column = 0; column < line.size(); ++column)
+            row += fmt::format(" {:{}} ", line[column], widths[column]);
+        text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+    }
+    return text;
+}
+
+} // namespace
+
+ExitCode list(const ListOptions& options)
+{
+    nlohmann::ordered_json json;
+    std::vector<std::string> texts;
+    for (const Section& section : sections()) {
+        json[section.name] = section.rows;
+        texts.push_back(textOf(section));
+    }
+    fmt::print("{}", options.json ? json.dump(2) + "\n" : join(texts, "\n"));
+    return ExitCode::done;
+}
+
+} // namespace dioptre

@@ -1,0 +1,34 @@
+// The words that scene files use for the ways to trace, each with what it means. The loader reads its choices
+// from these tables and `dioptre list` prints them, so neither knows a word that the other does not.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <array>
+#include <string_view>
+
+namespace dioptre
+{
+
+template <class Choice>
+struct NamedChoice {
+    std::string_view name; // as in a scene file
+    Choice choice;
+    std::string_view meaning; // a phrase for people
+};
+
+// [trace] order
+inline constexpr std::array treeOrders{
+    NamedChoice<TreeOrder>{"heaviest-first", TreeOrder::heaviestFirst,
+                           "the ray that matters most next, from a pool of 3 or 4"},
+    NamedChoice<TreeOrder>{"breadth-first", TreeOrder::breadthFirst, "all rays in a queue, bounce by bounce"},
+};
+
+// [trace] form
+inline constexpr std::array sceneForms{
+    NamedChoice<SceneForm>{"literal", SceneForm::literal,
+                           "each object's geometry stands in the shader as constants"},
+    NamedChoice<SceneForm>{"loop", SceneForm::loop, "the shader reads the geometry from a table"},
+};
+
+} // namespace dioptre
