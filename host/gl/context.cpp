@@ -92,6 +92,7 @@ std::string loadFunctions(GLADloadfunc loader, ContextInfo& info)
         return "its OpenGL functions cannot be loaded";
     info.renderer = glText(GL_RENDERER);
     info.version = glText(GL_VERSION);
+    info.glslVersion = glText(GL_SHADING_LANGUAGE_VERSION);
     if (version < GLAD_MAKE_VERSION(3, 3))
         return fmt::format("{} has only OpenGL {}", info.renderer, info.version);
     const std::array softwareRenderers{"llvmpipe", "softpipe", "swrast", "SWR", "Software Rasterizer"};
@@ -113,7 +114,7 @@ std::unique_ptr<Context> makeContext(const std::string& backend, std::vector<Bac
         faults.push_back(fmt::format("{}: {}", name, result.fault));
     }
     fail(ExitCode::noOpenGl, fmt::format("no OpenGL 3.3 context ({})", join(faults, "; ")),
-         "install the packages libegl1 and libgl1-mesa-dri, or libosmesa6");
+         packagesForOpenGl);
 }
 
 } // namespace dioptre

@@ -15,6 +15,7 @@ struct ContextInfo {
     std::string version;  // GL_VERSION
     bool software =
         false; // llvmpipe, softpipe or swrast: timer queries lie there, a monotonic clock is used instead
+    std::string glslVersion = ""; // GL_SHADING_LANGUAGE_VERSION
 };
 
 // Owns a context that is current on the thread that made it; GL functions are loaded for it.
@@ -36,6 +37,10 @@ struct BackendAttempt {
     std::string backend;
     std::string outcome; // "" when it worked
 };
+
+// The mend where no backend works.
+inline constexpr const char* packagesForOpenGl =
+    "install the packages libegl1 and libgl1-mesa-dri, or libosmesa6";
 
 // A word that --backend takes.
 struct BackendChoice {

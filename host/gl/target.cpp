@@ -70,6 +70,14 @@ void clear(const AccumulationTarget& target)
     glClearBufferfv(GL_COLOR, 0, zero.data());
 }
 
+void drawReplacing(const AccumulationTarget& target)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+    glViewport(0, 0, target.width, target.height);
+    glBindVertexArray(target.vertexArray.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
 // Draws add up in the order in which they are made: OpenGL blends in that order.
 void drawAdding(const AccumulationTarget& target, int x, int y, int width, int height)
 {

@@ -27,6 +27,9 @@ void clear(const AccumulationTarget& target);
 // is there.
 void drawAdding(const AccumulationTarget& target, int x, int y, int width, int height);
 
+// Draws the full-screen triangle over all of the target, in place of what is there.
+void drawReplacing(const AccumulationTarget& target);
+
 // Reads the target back: rows from the bottom up, sums as they stand.
 Picture readBack(const AccumulationTarget& target);
 

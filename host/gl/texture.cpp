@@ -69,6 +69,21 @@ void checkUploaded()
         fail(ExitCode::retry, "the device has no memory left for the pictures", "use fewer or smaller ones");
 }
 
+// One picture without mip levels; sampling is left to the caller.
+Texture uploadSingle(const Picture& picture)
+{
+    const Layout layout = layoutOf(picture.format);
+    checkLimit(GL_MAX_TEXTURE_SIZE, std::max(picture.width, picture.height), "texels on a side");
+    Texture texture = newTexture();
+    const TextureBinding binding(GL_TEXTURE_2D, texture.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(layout.stored), picture.width, picture.height, 0,
+                 GL_RGBA, layout.numberType, numbersOf(picture));
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    checkUploaded();
+    return texture;
+}
+
 } // namespace
 
 Texture uploadPictureArray(const std::vector<std::span<const Picture>>& layers)
@@ -99,16 +114,19 @@ Texture uploadPictureArray(const std::vector<std::span<const Picture>>& layers)
 
 Texture uploadSky(const Picture& picture)
 {
-    const Layout layout = layoutOf(picture.format);
-    checkLimit(GL_MAX_TEXTURE_SIZE, std::max(picture.width, picture.height), "texels on a side");
-    Texture texture = newTexture();
+    Texture texture = uploadSingle(picture);
     const TextureBinding binding(GL_TEXTURE_2D, texture.name());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(layout.stored), picture.width, picture.height, 0,
-                 GL_RGBA, layout.numberType, numbersOf(picture));
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
     setSampling(GL_TEXTURE_2D, GL_LINEAR, GL_REPEAT, GL_CLAMP_TO_EDGE);
-    checkUploaded();
+    return texture;
+}
+
+// Nearest: float tables need not be filterable.
+Texture uploadTable(const Picture& picture)
+{
+    Texture texture = uploadSingle(picture);
+    const TextureBinding binding(GL_TEXTURE_2D, texture.name());
+    setSampling(GL_TEXTURE_2D, GL_NEAREST, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     return texture;
 }
 

@@ -17,6 +17,9 @@ Texture uploadPictureArray(const std::vector<std::span<const Picture>>& layers);
 // A single 2D float texture without mip levels (bilinear; repeats along s, clamps along t): the sky.
 Texture uploadSky(const Picture& picture);
 
+// A single 2D float texture for texelFetch alone: a table of numbers.
+Texture uploadTable(const Picture& picture);
+
 // A uniform buffer with the given bytes.
 Buffer uploadUniformBuffer(const std::vector<float>& values);
 

@@ -97,6 +97,16 @@ std::string missing(const std::vector<std::string>& wanted, const std::vector<st
 
 } // namespace
 
+BlockCapacity capacityOf(std::size_t blockBytes)
+{
+    // The structs hold doubles here and floats on the device.
+    const auto bytes = [](std::size_t hostBytes) { return hostBytes * sizeof(float) / sizeof(double); };
+    const std::size_t head = bytes(sizeof(ShapeTable::kindFirst));
+    const std::size_t tableRoom = blockBytes > head ? blockBytes - head : 0;
+    return {blockBytes / bytes(sizeof(packed::Material)), blockBytes / bytes(sizeof(packed::Light)),
+            tableRoom / bytes(sizeof(packed::Shape) + sizeof(packed::vec4))};
+}
+
 DeviceScene upload(const PackedScene& packed, const Plan& plan)
 {
     DeviceScene device;

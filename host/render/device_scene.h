@@ -31,6 +31,14 @@ struct DeviceScene {
     std::size_t textureBytes = 0;
 };
 
+// How many of a scene's parts fit in uniform blocks of a size.
+struct BlockCapacity {
+    std::size_t materials = 0;
+    std::size_t lights = 0;
+    std::size_t tableObjects = 0; // under trace.form = "loop"
+};
+BlockCapacity capacityOf(std::size_t blockBytes);
+
 // Uploads what the plan needs and nothing else.
 DeviceScene upload(const PackedScene& packed, const Plan& plan);
 

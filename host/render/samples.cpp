@@ -6,12 +6,6 @@
 
 namespace dioptre
 {
-namespace
-{
-
-constexpr long softwareLoopCap = 65535;
-
-} // namespace
 
 long loopIterations(const Plan& plan, const PackedScene& packed)
 {
@@ -31,9 +25,7 @@ std::vector<SampleBatch> sampleBatches(int samples, long iterationsPerSample, bo
              fmt::format("a sample may take {} loop iterations, and this software driver ends loops after {}",
                          iterationsPerSample, softwareLoopCap),
              "lower trace.budget, or have fewer lights or, under trace.form = \"loop\", fewer objects");
-    // Half the cap: what the driver counts beyond our own loops stays within it. The same on every driver, so
-    // that the order of additions is.
-    const auto fitting = std::max(1L, softwareLoopCap / 2 / iterationsPerSample);
+    const auto fitting = std::max(1L, iterationsPerDraw / iterationsPerSample);
     const int batch = static_cast<int>(std::min<long>(samples, fitting));
     std::vector<SampleBatch> batches;
     for (int first = 0; first < samples; first += batch)

@@ -6,6 +6,14 @@
 namespace dioptre
 {
 
+// llvmpipe ends every loop of an invocation silently after so many iterations in all; `dioptre doctor`
+// measures it.
+inline constexpr long softwareLoopCap = 65535;
+
+// The most that a draw of several samples may take, on every driver, so that the order of additions is the
+// same. Half the cap: what the driver counts beyond our own loops stays within it.
+inline constexpr long iterationsPerDraw = softwareLoopCap / 2;
+
 struct SampleBatch {
     int first = 0; // index of the first sample
     int count = 0;
@@ -14,9 +22,9 @@ struct SampleBatch {
 // The most loop iterations that one sample can take in this shader.
 long loopIterations(const Plan& plan, const PackedScene& packed);
 
-// Batches of consecutive samples, each within the loop iterations that a driver runs: llvmpipe ends every
-// loop silently after 65,535 in all. Depends on the settings alone, so that tiles add up bit for bit. Throws
-// badInput where a single sample would go beyond on a software driver.
+// Batches of consecutive samples, each within iterationsPerDraw where more than one sample is in it. Depends
+// on the settings alone, so that tiles add up bit for bit. Throws badInput where a single sample would go
+// beyond softwareLoopCap on a software driver.
 std::vector<SampleBatch> sampleBatches(int samples, long iterationsPerSample, bool software);
 
 } // namespace dioptre
