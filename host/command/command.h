@@ -45,6 +45,15 @@ struct BenchOptions {
     bool coldStart = false; // be one of those processes
 };
 ExitCode bench(const BenchOptions& options);
+
+struct DoctorOptions {
+    std::string backend = "auto";
+    bool json = false;
+};
+// Prints what OpenGL there is and what follows from it. Gives checkFailed where pictures would come out
+// wrong, noOpenGl where none can be drawn.
+ExitCode doctor(const DoctorOptions& options);
+
 struct ListOptions {
     bool json = false;
 };

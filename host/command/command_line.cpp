@@ -52,6 +52,15 @@ void addRender(CLI::App& app, RenderOptions& options, std::string& size)
     command->add_flag("--json", options.json, "print figures as JSON");
 }
 
+void addDoctor(CLI::App& app, DoctorOptions& options)
+{
+    auto* command = app.add_subcommand("doctor", "say what OpenGL is there and what follows from it");
+    command->add_option("--backend", options.backend, "which to try")
+        ->check(CLI::IsMember(backendNames()))
+        ->capture_default_str();
+    command->add_flag("--json", options.json, "print the findings as JSON");
+}
+
 void addList(CLI::App& app, ListOptions& options)
 {
     auto* command = app.add_subcommand("list", "name the scenes, tree orders, forms and backends there are");
@@ -83,6 +92,8 @@ ExitCode runCommandLine(const std::vector<std::string>& arguments)
     addRender(app, options, size);
     BenchOptions benchOptions;
     addBench(app, benchOptions);
+    DoctorOptions doctorOptions;
+    addDoctor(app, doctorOptions);
     ListOptions listOptions;
     addList(app, listOptions);
     refuseUnknownCommand(app, arguments);
@@ -100,6 +111,8 @@ ExitCode runCommandLine(const std::vector<std::string>& arguments)
     }
     if (app.got_subcommand("bench"))
         return bench(benchOptions);
+    if (app.got_subcommand("doctor"))
+        return doctor(doctorOptions);
     if (app.got_subcommand("list"))
         return list(listOptions);
     readSize(size, options.width, options.height);

@@ -1,0 +1,49 @@
+// What `dioptre doctor` finds out, and what it says of it.
+#pragma once
+
+#include "command/environment.h"
+#include "gl/attempt.h"
+#include "gl/limits.h"
+#include "render/device_scene.h"
+#include "render/exact_arithmetic.h"
+#include "render/loop_canary.h"
+#include "render/probe.h"
+
+#include <string>
+#include <vector>
+
+namespace dioptre
+{
+
+// Of the device behind the first backend that works. Where floats cannot be drawn into, what follows the
+// limits is not measured.
+struct DeviceFindings {
+    ContextInfo context;
+    DeviceLimits limits;
+    DriverEnvironment environment;
+    FloatSums sums;
+    Clocks clocks;
+    LoopCanary loops;
+    ExactArithmetic arithmetic;
+};
+
+struct Verdict {
+    ExitCode code = ExitCode::done;
+    std::string text;
+};
+
+// The one that makeContext() takes; null where none works.
+const BackendReport* firstThatWorks(const std::vector<BackendReport>& attempts);
+
+Verdict verdictOn(const DeviceFindings& findings); // checkFailed where pictures would come out wrong
+
+// Tables with what follows from them, for people.
+std::string backendsText(const std::vector<BackendReport>& attempts);
+std::string findingsText(const DeviceFindings& findings);
+std::string verdictText(const Verdict& verdict);
+
+// One JSON object; `findings` is null where no backend works.
+std::string doctorJson(const std::vector<BackendReport>& attempts, const DeviceFindings* findings,
+                       const Verdict& verdict);
+
+} // namespace dioptre

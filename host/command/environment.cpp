@@ -1,0 +1,94 @@
+#include "command/environment.h"
+
+#include "base/file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <pwd.h>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+namespace dioptre
+{
+namespace
+{
+
+std::string variable(const char* name)
+{
+    const char* value = std::getenv(name);
+    return value != nullptr ? value : "";
+}
+
+// Of this process: "dioptre", "llvmpipe-0", "dioptre:disk$0".
+std::vector<std::string> threadNames()
+{
+    std::vector<std::string> names;
+    for (const auto& task : std::filesystem::directory_iterator("/proc/self/task"))
+        names.push_back(readFile(task.path() / "comm"));
+    return names;
+}
+
+// The folder below which Mesa keeps its cache (src/util/disk_cache_os.c): the home is that of the user
+// database.
+std::filesystem::path cacheParent()
+{
+    for (const char* name : {"MESA_SHADER_CACHE_DIR", "MESA_GLSL_CACHE_DIR", "XDG_CACHE_HOME"})
+        if (const std::string folder = variable(name); !folder.empty())
+            return folder;
+    const passwd* user = ::getpwuid(::getuid());
+    return user != nullptr ? std::filesystem::path(user->pw_dir) / ".cache" : std::filesystem::path();
+}
+
+// Whether it, or the nearest folder above it that exists, can be written to.
+bool canBeWritten(std::filesystem::path folder)
+{
+    std::error_code ignored;
+    while (!folder.empty() && !std::filesystem::exists(folder, ignored) && folder != folder.parent_path())
+        folder = folder.parent_path();
+    return ::access(folder.c_str(), W_OK) == 0;
+}
+
+void findCache(DriverEnvironment& environment, const ContextInfo& context, bool threadRuns)
+{
+    const std::string parent = cacheParent().string();
+    environment.shaderCache = threadRuns ? "on" : "off";
+    if (threadRuns) {
+        environment.cacheReason = "below " + parent;
+        return;
+    }
+    for (const char* name : {"MESA_SHADER_CACHE_DISABLE", "MESA_GLSL_CACHE_DISABLE"})
+        if (const std::string value = variable(name); !value.empty()) {
+            environment.cacheReason = fmt::format("{} is {}", name, value);
+            return;
+        }
+    if (!canBeWritten(parent)) {
+        environment.cacheReason = parent + " cannot be written to";
+        return;
+    }
+    environment.shaderCache = "unknown";
+    const bool mesa = context.version.find("Mesa") != std::string::npos;
+    environment.cacheReason = mesa ? "no thread of Mesa's keeps one" : "not a driver of Mesa's";
+}
+
+} // namespace
+
+DriverEnvironment driverEnvironment(const ContextInfo& context)
+{
+    const std::vector<std::string> threads = threadNames();
+    const auto has = [&threads](const char* part) {
+        return std::count_if(threads.begin(), threads.end(), [part](const std::string& name) {
+            return name.find(part) != std::string::npos;
+        });
+    };
+    DriverEnvironment environment;
+    findCache(environment, context, has("disk$") > 0);
+    environment.rasterThreads = static_cast<int>(has("llvmpipe-"));
+    environment.threadsAsked = variable("LP_NUM_THREADS");
+    environment.cores = static_cast<int>(std::thread::hardware_concurrency());
+    return environment;
+}
+
+} // namespace dioptre
