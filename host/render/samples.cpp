@@ -7,15 +7,51 @@
 namespace dioptre
 {
 
+namespace
+{
+
+// Iterations as llvmpipe counts them. It runs the body of a loop once more with every pixel masked out to
+// find that the loop has ended, and the loops within it are each looked at then.
+struct Iterations {
+    long full = 0;  // at most
+    long empty = 0; // where every pixel is masked out
+};
+
+Iterations operator+(Iterations a, Iterations b)
+{
+    return {a.full + b.full, a.empty + b.empty};
+}
+
+Iterations loop(long times, Iterations body = {})
+{
+    return {times * (1 + body.full) + 1 + body.empty, 1 + body.empty};
+}
+
+// What each ray runs: glsl/trace/scene_loop.glsl, light.glsl, and the pool of heaviest_first.glsl.
+Iterations iterationsOfARay(const Plan& plan, const PackedScene& packed)
+{
+    const long objects = static_cast<long>(packed.objects.size());
+    Iterations ray;
+    if (plan.form == SceneForm::loop)
+        ray = loop(packed::KIND_COUNT, loop(0)) + Iterations{objects, 0}; // the kinds share the objects
+    if (!packed.lights.empty())
+        ray = ray + loop(static_cast<long>(packed.lights.size()),
+                         plan.has("shadows") && plan.form == SceneForm::loop ? loop(objects) : Iterations{});
+    if (plan.tree == RayTree::heaviestFirst)
+        ray = ray + loop(packed.poolSlots) + loop(packed.poolSlots);
+    return ray;
+}
+
+} // namespace
+
 long loopIterations(const Plan& plan, const PackedScene& packed)
 {
-    const long lights = static_cast<long>(packed.lights.size());
-    const long objects = static_cast<long>(packed.objects.size());
-    const long pool = plan.tree == RayTree::heaviestFirst ? 2 * packed.poolSlots : 0;
-    const bool loops = plan.form == SceneForm::loop;
-    const long hit = loops ? objects + packed::KIND_COUNT : 0;
-    const long shadows = plan.has("shadows") && loops ? objects : 0;
-    return 1 + plan.budget * (1 + hit + lights * (1 + shadows) + pool);
+    Iterations sample = iterationsOfARay(plan, packed);
+    if (plan.tree != RayTree::single)
+        sample = loop(plan.budget, sample);
+    if (plan.tree == RayTree::heaviestFirst)
+        sample = sample + loop(packed.poolSlots);
+    return loop(1, sample).full;
 }
 
 std::vector<SampleBatch> sampleBatches(int samples, long iterationsPerSample, bool software)

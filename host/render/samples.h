@@ -11,7 +11,7 @@ namespace dioptre
 inline constexpr long softwareLoopCap = 65535;
 
 // The most that a draw of several samples may take, on every driver, so that the order of additions is the
-// same. Half the cap: what the driver counts beyond our own loops stays within it.
+// same. Half the cap, for drivers that count otherwise.
 inline constexpr long iterationsPerDraw = softwareLoopCap / 2;
 
 struct SampleBatch {
