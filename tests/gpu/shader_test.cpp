@@ -55,14 +55,17 @@ std::map<std::string, std::string> functionBodies(const std::string& shader)
 // Functions that main() reaches by calls.
 std::set<std::string> reachedFromMain(const std::map<std::string, std::string>& bodies)
 {
+    const std::regex call("\\b(\\w+)\\s*\\(");
     std::set<std::string> reached = {"main"};
     std::vector<std::string> open = {"main"};
     while (!open.empty()) {
         const auto body = bodies.at(open.back());
         open.pop_back();
-        for (const auto& [name, unused] : bodies)
-            if (std::regex_search(body, std::regex("\\b" + name + "\\s*\\(")) && reached.insert(name).second)
+        for (std::sregex_iterator found(body.begin(), body.end(), call), end; found != end; ++found) {
+            const std::string name = (*found)[1];
+            if (bodies.contains(name) && reached.insert(name).second)
                 open.push_back(name);
+        }
     }
     return reached;
 }
