@@ -66,4 +66,29 @@ std::vector<Overridden> applyOverrides(Value& document, const std::vector<std::s
     return done;
 }
 
+// Quotes open in values alone: a path may hold an object's name with an apostrophe.
+std::vector<std::string> splitOverrides(const std::string& text)
+{
+    std::vector<std::string> parts(1);
+    int depth = 0;
+    char quote = '\0';
+    bool inValue = false;
+    for (const char letter : text) {
+        if (quote != '\0') {
+            quote = letter == quote ? '\0' : quote;
+        } else if (letter == ',' && depth == 0) {
+            parts.emplace_back();
+            inValue = false;
+            continue;
+        } else if (inValue && (letter == '"' || letter == '\'')) {
+            quote = letter;
+        } else if (letter == '[' || letter == ']') {
+            depth += letter == '[' ? 1 : -1;
+        }
+        inValue = inValue || letter == '=';
+        parts.back() += letter;
+    }
+    return parts;
+}
+
 } // namespace dioptre
