@@ -61,7 +61,7 @@ void loadPictures(const Scene& scene, const Plan& plan, PackedScene& packed)
     for (const auto& picture : plan.pictures)
         packed.pictures.push_back(
             mipmaps(withFiniteTexels(readPicture(picture.path, picture.encoding), picture.path)));
-    if (plan.has("sky picture"))
+    if (plan.has("sky picture") && scene.sky.kind == Sky::Kind::image)
         packed.sky_picture.push_back(
             withFiniteTexels(readPicture(scene.sky.image, scene.sky.encoding), scene.sky.image));
 }

@@ -51,7 +51,30 @@ void Planner::gatherDefines()
 void Planner::add(const std::string& name, bool in, const std::string& whyIn, const std::string& whyOut,
                   std::vector<std::string> defines)
 {
-    plan_.features.push_back({name, in, in ? whyIn : whyOut, std::move(defines)});
+    const bool forced = !in && canForce(name, defines);
+    plan_.features.push_back({name, in || forced,
+                              in       ? whyIn
+                              : forced ? "plan.force is all"
+                                       : whyOut,
+                              std::move(defines)});
+}
+
+// What plan.force = "all" brings in: every part that the scene's data can switch off again. The forms that
+// the scene takes exclude each other, a tree of one ray sends none on, and an empty scene or one without
+// lights has no tables to ask.
+bool Planner::canForce(const std::string& name, const std::vector<std::string>& defines) const
+{
+    static const std::set<std::string> forms = {"light loops",      "shared view",     "shared lights",
+                                                "shared materials", "moving geometry", "tinted shadows"};
+    if (scene_.plan.force != PlanChoices::Force::all || scene_.objects.empty() || defines.empty() ||
+        forms.contains(name))
+        return false;
+    static const std::set<std::string> ofLights = {"HAS_LIGHTS", "HAS_HIGHLIGHT", "HAS_SHADOWS",
+                                                   "HAS_TINTED_SHADOWS", "HAS_LIGHT_AMBIENT"};
+    const bool dark = plan_.placedLights.empty() && plan_.glowing.empty();
+    if (dark && std::ranges::any_of(defines, [&](const auto& define) { return ofLights.contains(define); }))
+        return false;
+    return name != "depth limit" || scene_.trace.budget.value_or(2) > 1;
 }
 
 std::string Planner::materialsWith(const std::function<bool(const Material&)>& holds) const

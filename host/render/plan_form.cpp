@@ -24,12 +24,15 @@ void Planner::form()
     const bool literal = plan_.form == SceneForm::literal;
     const bool empty = scene_.objects.empty();
     const std::size_t choices = std::max(scene_.objects.size(), plan_.materials.size());
-    plan_.lookup = !literal                                  ? Lookup::table
-                   : scene_.plan.lookup != Lookup::automatic ? scene_.plan.lookup
-                   : choices <= mostSelects                  ? Lookup::selects
-                                                             : Lookup::table;
+    plan_.lookup = !literal                                       ? Lookup::table
+                   : scene_.plan.lookup != Lookup::automatic      ? scene_.plan.lookup
+                   : scene_.plan.force == PlanChoices::Force::all ? Lookup::table
+                   : choices <= mostSelects                       ? Lookup::selects
+                                                                  : Lookup::table;
     const bool table = plan_.lookup == Lookup::table && !empty;
-    const std::string chosen = scene_.plan.lookup != Lookup::automatic ? "plan.lookup" : "";
+    const std::string chosen = scene_.plan.lookup != Lookup::automatic        ? "plan.lookup"
+                               : scene_.plan.force == PlanChoices::Force::all ? "plan.force is all"
+                                                                              : "";
     add("literal geometry", literal, "geometry as constants", "trace.form is loop", {});
     add("surfaces by selects", !table && !empty,
         chosen.empty() ? fmt::format("{} objects and materials at most", choices) : chosen,

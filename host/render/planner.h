@@ -19,6 +19,7 @@ private:
     // A row: in with the first reason, or out with the second.
     void add(const std::string& name, bool in, const std::string& whyIn, const std::string& whyOut,
              std::vector<std::string> defines);
+    bool canForce(const std::string& name, const std::vector<std::string>& defines) const;
     void addForMaterials(const std::string& name, const std::function<bool(const Material&)>& holds,
                          const std::string& whyOut, std::vector<std::string> defines);
     void addForLights(const std::string& name, const std::function<bool(const Light&)>& holds,

@@ -4,6 +4,20 @@
 
 namespace dioptre
 {
+namespace
+{
+
+// A forced shader samples pictures that the scene does not have: one white texel changes nothing.
+void addNeutralPictures(const Plan& plan, PackedScene& packed)
+{
+    const Picture white{1, 1, PixelFormat::srgb8, {255, 255, 255, 255}, {}};
+    if (plan.has("picture") && packed.pictures.empty())
+        packed.pictures.push_back({white});
+    if (plan.has("sky picture") && packed.sky_picture.empty())
+        packed.sky_picture.push_back(white);
+}
+
+} // namespace
 
 PreparedScene prepare(const Scene& scene, const ViewSettings& view)
 {
@@ -13,6 +27,7 @@ PreparedScene prepare(const Scene& scene, const ViewSettings& view)
     prepared.packed = pack(prepared.scene, prepared.plan, View{view.height, view.samples});
     loadPictures(prepared.scene, prepared.plan, prepared.packed);
     setCutOff(prepared.scene, prepared.plan, prepared.packed);
+    addNeutralPictures(prepared.plan, prepared.packed);
     return prepared;
 }
 
