@@ -65,6 +65,15 @@ Crossing cappedCylinderCrossing(Ray ray, int object, vec3 base, vec3 axis, float
     return crossing;
 }
 
+Crossing cappedCylinderEntry(Ray ray, int object, vec3 base, vec3 axis, float radius, float height)
+{
+    Span side = sideSpan(ray, base, axis, radius);
+    Span slab = slabSpan(ray, base, axis, height);
+    Crossing crossing = entryOfSpan(commonSpan(side, slab), ray, object);
+    crossing.cap = slab.near > side.near;
+    return crossing;
+}
+
 // An open cylinder is a wall without ends: the near wall if the ray meets it between the ends, else the far wall, seen
 // through an end.
 Crossing openCylinderCrossing(Ray ray, int object, vec3 base, vec3 axis, float radius, float height)

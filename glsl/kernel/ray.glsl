@@ -37,3 +37,14 @@ Crossing firstOfSpan(Span span, Ray ray, int object)
     crossing.found = (startsWithin || (span.found && span.far > 0.0)) && ray.from != 2 * object;
     return crossing;
 }
+
+// The same for a solid that no ray is ever within: it lets no light through, and the eye is outside.
+Crossing entryOfSpan(Span span, Ray ray, int object)
+{
+    Crossing crossing;
+    crossing.found = span.found && span.near > 0.0 && ray.from != 2 * object;
+    crossing.t = span.near;
+    crossing.inside = false;
+    crossing.cap = false;
+    return crossing;
+}

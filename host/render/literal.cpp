@@ -53,9 +53,10 @@ const char* kernelOf(int kind)
     return names[kind];
 }
 
-std::string crossingOf(const PackedObject& object, std::size_t id)
+std::string crossingOf(const PackedObject& object, const Plan& plan, std::size_t id)
 {
-    return fmt::format("{}Crossing(ray, {}, {})", kernelOf(object.kind), id, geometry(object));
+    return fmt::format("{}{}(ray, {}, {})", kernelOf(object.kind),
+                       plan.enteredOnly[id] ? "Entry" : "Crossing", id, geometry(object));
 }
 
 // The object's name may hold anything; in the shader's comment stands what GLSL's character set allows, and
@@ -68,14 +69,14 @@ std::string commentOf(const Object& object, std::size_t id)
     return fmt::format("    // {}{}\n", id, name);
 }
 
-std::string nearestHitText(const Scene& scene, const PackedScene& packed)
+std::string nearestHitText(const Scene& scene, const PackedScene& packed, const Plan& plan)
 {
     std::string text = "// The first object that the ray meets.\n"
                        "Nearest nearestHit(Ray ray)\n{\n    Nearest nearest = nothingYet();\n";
     for (std::size_t id = 0; id < packed.objects.size(); ++id) {
         text += commentOf(scene.objects[id], id);
-        text +=
-            fmt::format("    nearest = nearer(nearest, {}, {});\n", crossingOf(packed.objects[id], id), id);
+        text += fmt::format("    nearest = nearer(nearest, {}, {});\n",
+                            crossingOf(packed.objects[id], plan, id), id);
     }
     return text + "    return nearest;\n}\n\n";
 }
@@ -84,15 +85,15 @@ std::string nearestHitText(const Scene& scene, const PackedScene& packed)
 std::string throughOne(const PackedObject& object, const Plan& plan, int shadow, std::size_t id)
 {
     if (shadow == packed::SHADOW_OPAQUE)
-        return fmt::format("unblocked({}, distance)", crossingOf(object, id));
+        return fmt::format("unblocked({}, distance)", crossingOf(object, plan, id));
     const auto table = shadowMaterial(plan, static_cast<std::size_t>(object.material));
     if (object.kind == packed::KIND_SPHERE || object.kind == packed::KIND_CAPPED_CYLINDER)
         return fmt::format("solidTint({}Span(ray, {}), ray, {}, distance, {})", kernelOf(object.kind),
                            geometry(object), id, table);
     if (object.kind == packed::KIND_PLANE)
-        return fmt::format("planeTint({}, ray, distance, {}, {})", crossingOf(object, id), geometry(object),
-                           table);
-    return fmt::format("wallTint({}, distance, {})", crossingOf(object, id), table);
+        return fmt::format("planeTint({}, ray, distance, {}, {})", crossingOf(object, plan, id),
+                           geometry(object), table);
+    return fmt::format("wallTint({}, distance, {})", crossingOf(object, plan, id), table);
 }
 
 std::string lightThroughText(const Scene& scene, const PackedScene& packed, const Plan& plan)
@@ -149,7 +150,7 @@ std::string rowText(const PackedObject& object, const ShapeRow& row, std::string
 
 std::string literalScene(const Scene& scene, const PackedScene& packed, const Plan& plan)
 {
-    return nearestHitText(scene, packed) + lightThroughText(scene, packed, plan);
+    return nearestHitText(scene, packed, plan) + lightThroughText(scene, packed, plan);
 }
 
 } // namespace dioptre

@@ -33,6 +33,7 @@ Plan Planner::make()
     rays();
     lights();
     sky();
+    within();
     form();
     animation();
     gatherDefines();

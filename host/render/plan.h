@@ -48,6 +48,7 @@ struct Plan {
     std::vector<std::size_t> glowing; // objects that light the scene
     std::vector<PictureUse> pictures; // those that are sampled, each once
     std::vector<SharedValue> shared;  // what comes through the vertex stage
+    std::vector<bool> enteredOnly;    // by object: a solid that no ray is ever within
     bool readsMaterials = false;      // whether the shader reads any number of a material
 
     const Feature& feature(const std::string& name) const; // must exist

@@ -54,6 +54,7 @@ private:
     void highlights(bool anyLight);
     void shadows(bool anyLight);
     void sky();
+    void within();
     void form();
     void values();
     void gatherDefines();

@@ -11,7 +11,7 @@ PlanChoices readPlan(const Table& document)
     const Value* section = find(document, "plan");
     if (!section)
         return plan;
-    const TableReader reader(*section, "[plan]", {"force", "values", "lookup"});
+    const TableReader reader(*section, "[plan]", {"force", "values", "lookup", "within"});
     using Force = PlanChoices::Force;
     using Values = PlanChoices::Values;
     using Lookup = PlanChoices::Lookup;
@@ -22,6 +22,8 @@ PlanChoices readPlan(const Table& document)
     reader.choice<Lookup>(
         "lookup", plan.lookup,
         {{"auto", Lookup::automatic}, {"selects", Lookup::selects}, {"table", Lookup::table}});
+    using Within = PlanChoices::Within;
+    reader.choice<Within>("within", plan.within, {{"auto", Within::automatic}, {"always", Within::always}});
     return plan;
 }
 

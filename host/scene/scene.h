@@ -57,8 +57,10 @@ struct PlanChoices {
     enum class Force { none, all };
     enum class Values { automatic, shared, uniforms };
     enum class Lookup { automatic, selects, table };
+    enum class Within { automatic, always };
     Force force = Force::none;         // all: every feature in, whether the scene needs it or not
     Values values = Values::automatic; // how materials, lights and camera reach a pixel
+    Within within = Within::automatic; // always: every solid is asked from within, though no ray gets there
     Lookup lookup = Lookup::automatic; // how the nearest object's surface is looked up
 };
 
