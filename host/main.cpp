@@ -1,5 +1,6 @@
 // The only place where an Error becomes a message and an exit code.
 #include "base/error.h"
+#include "base/heap.h"
 #include "command/command.h"
 
 #include <cstdio>
@@ -7,6 +8,7 @@
 
 int main(int count, char** arguments)
 {
+    dioptre::keepLargeBlocks();
     try {
         return static_cast<int>(dioptre::runCommandLine({arguments + 1, arguments + count}));
     } catch (const dioptre::Error& error) {
