@@ -19,31 +19,63 @@ struct LinearLevel {
     std::vector<float> floats; // RGBA
 };
 
-using Texel = std::array<float, 4>;
+// What each byte of a channel stands for.
+using Table = std::array<float, 256>;
+
+Table unitTable()
+{
+    Table table{};
+    for (std::size_t byte = 0; byte < table.size(); ++byte)
+        table[byte] = static_cast<float>(byte) / 255.0f;
+    return table;
+}
+
+Table srgbTable()
+{
+    Table table{};
+    for (std::size_t byte = 0; byte < table.size(); ++byte)
+        table[byte] = linearFromSrgb8(static_cast<std::uint8_t>(byte));
+    return table;
+}
 
 // Each texel is the mean of a 2x2 block. The last row or column of an odd size is left out, and one of size 1
-// counts twice. `texelAt(x, y)` gives the linear RGBA of the larger level.
-template <typename TexelAt>
-LinearLevel halve(int width, int height, const TexelAt& texelAt)
+// counts twice. `linear(channel, number)` decodes a number of the larger level, whose RGBA begin at
+// `numbers`.
+template <typename Number, typename Linear>
+LinearLevel halve(int width, int height, const Number* numbers, const Linear& linear)
 {
     LinearLevel half{std::max(1, width / 2), std::max(1, height / 2), {}};
-    half.floats.reserve(4 * static_cast<std::size_t>(half.width) * static_cast<std::size_t>(half.height));
+    half.floats.resize(4 * static_cast<std::size_t>(half.width) * static_cast<std::size_t>(half.height));
+    const std::size_t right = width > 1 ? 4 : 0;
+    const std::size_t row = 4 * static_cast<std::size_t>(width);
+    const std::size_t above = height > 1 ? row : 0;
+    float* mean = half.floats.data();
     for (int y = 0; y < half.height; ++y) {
-        const int below = 2 * y, above = std::min(2 * y + 1, height - 1);
-        for (int x = 0; x < half.width; ++x) {
-            const int left = 2 * x, right = std::min(2 * x + 1, width - 1);
-            const Texel a = texelAt(left, below), b = texelAt(right, below);
-            const Texel c = texelAt(left, above), d = texelAt(right, above);
-            for (std::size_t channel = 0; channel < 4; ++channel)
-                half.floats.push_back(0.25f * ((a[channel] + b[channel]) + (c[channel] + d[channel])));
-        }
+        const Number* a = numbers + 2 * static_cast<std::size_t>(y) * row;
+        for (int x = 0; x < half.width; ++x, a += 8)
+            for (std::size_t c = 0; c < 4; ++c)
+                *mean++ = 0.25f * ((linear(c, a[c]) + linear(c, a[right + c])) +
+                                   (linear(c, a[above + c]) + linear(c, a[above + right + c])));
     }
     return half;
 }
 
-std::size_t texelIndex(int width, int x, int y)
+LinearLevel halve(const LinearLevel& level)
 {
-    return 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+    return halve(level.width, level.height, level.floats.data(),
+                 [](std::size_t, float number) { return number; });
+}
+
+LinearLevel halve(const Picture& picture)
+{
+    if (picture.format == PixelFormat::float32)
+        return halve(picture.width, picture.height, picture.floats.data(),
+                     [](std::size_t, float number) { return number; });
+    const Table alpha = unitTable();
+    const Table colour = picture.format == PixelFormat::srgb8 ? srgbTable() : alpha;
+    return halve(
+        picture.width, picture.height, picture.bytes.data(),
+        [&](std::size_t channel, std::uint8_t byte) { return channel < 3 ? colour[byte] : alpha[byte]; });
 }
 
 Picture stored(const LinearLevel& level, PixelFormat format)
@@ -63,10 +95,11 @@ Picture stored(const LinearLevel& level, PixelFormat format)
 
 } // namespace
 
-Texel linearTexel(const Picture& picture, int x, int y)
+std::array<float, 4> linearTexel(const Picture& picture, int x, int y)
 {
-    const std::size_t first = texelIndex(picture.width, x, y);
-    Texel texel;
+    const std::size_t first = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                                   static_cast<std::size_t>(x));
+    std::array<float, 4> texel;
     for (std::size_t channel = 0; channel < 4; ++channel) {
         if (picture.format == PixelFormat::float32)
             texel[channel] = picture.floats[first + channel];
@@ -86,14 +119,10 @@ std::vector<Picture> mipmaps(Picture picture)
     const PixelFormat format = whole.format;
     if (whole.width <= 1 && whole.height <= 1)
         return levels;
-    LinearLevel level =
-        halve(whole.width, whole.height, [&whole](int x, int y) { return linearTexel(whole, x, y); });
+    LinearLevel level = halve(whole);
     levels.push_back(stored(level, format));
     while (level.width > 1 || level.height > 1) {
-        level = halve(level.width, level.height, [&level](int x, int y) {
-            const float* texel = level.floats.data() + texelIndex(level.width, x, y);
-            return Texel{texel[0], texel[1], texel[2], texel[3]};
-        });
+        level = halve(level);
         levels.push_back(stored(level, format));
     }
     return levels;
