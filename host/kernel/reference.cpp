@@ -1,13 +1,12 @@
 #include "kernel/reference.h"
 
+#include "base/parallel.h"
 #include "kernel/sampler.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
 
 namespace dioptre
 {
@@ -212,16 +211,8 @@ Picture renderReference(const PackedScene& scene, int width, int height, int sam
     picture.width = width;
     picture.height = height;
     picture.floats.resize(static_cast<std::size_t>(4 * width * height));
-    std::atomic<int> next = 0;
-    const auto work = [&] {
-        for (int y = next++; y < height; y = next++)
-            reference::renderRow(scene, y, samples, picture);
-    };
-    std::vector<std::jthread> threads;
-    for (unsigned i = 1; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
-        threads.emplace_back(work);
-    work();
-    threads.clear();
+    inParallel(static_cast<std::size_t>(height),
+               [&](std::size_t y) { reference::renderRow(scene, static_cast<int>(y), samples, picture); });
     return picture;
 }
 
