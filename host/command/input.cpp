@@ -8,10 +8,21 @@
 
 namespace dioptre
 {
+namespace
+{
+
+// "" where it is not set.
+std::string environment(const char* name)
+{
+    const char* value = std::getenv(name);
+    return value != nullptr ? value : "";
+}
+
+} // namespace
 
 std::filesystem::path glslFolder()
 {
-    if (const char* chosen = std::getenv("DIOPTRE_GLSL"); chosen != nullptr && *chosen != '\0')
+    if (const auto chosen = environment("DIOPTRE_GLSL"); !chosen.empty())
         return chosen;
     auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
     while (true) {
@@ -22,6 +33,21 @@ std::filesystem::path glslFolder()
                  "set DIOPTRE_GLSL to the folder glsl/ of dioptre's sources");
         folder = folder.parent_path();
     }
+}
+
+// https://specifications.freedesktop.org/basedir-spec: a relative folder is not to be used.
+PictureCache pictureCache()
+{
+    const auto chosen = environment("DIOPTRE_CACHE");
+    if (chosen == "off")
+        return {};
+    if (!chosen.empty())
+        return PictureCache(chosen);
+    if (const std::filesystem::path xdg = environment("XDG_CACHE_HOME"); xdg.is_absolute())
+        return PictureCache(xdg / "dioptre");
+    if (const std::filesystem::path home = environment("HOME"); home.is_absolute())
+        return PictureCache(home / ".cache" / "dioptre");
+    return {};
 }
 
 std::vector<std::string> galleryNames()

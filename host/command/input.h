@@ -1,6 +1,8 @@
 // Where the program's own files are, and what a user's SCENE or SHADER means.
 #pragma once
 
+#include "base/picture_cache.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,6 +13,10 @@ namespace dioptre
 // The folder glsl/: $DIOPTRE_GLSL where set, else the one beside the program or above it. Throws
 // inputMissing.
 std::filesystem::path glslFolder();
+
+// Where prepared pictures are kept: $DIOPTRE_CACHE, "off" for nowhere; without it dioptre/ in $XDG_CACHE_HOME
+// or in ~/.cache.
+PictureCache pictureCache();
 
 // Names of the gallery's scenes, sorted.
 std::vector<std::string> galleryNames();

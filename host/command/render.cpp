@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <future>
 #include <limits>
 
 namespace dioptre
@@ -99,22 +100,29 @@ struct Rendering {
 
 Rendering renderInput(const RenderOptions& options, const Input& input)
 {
-    StillSettings settings{
-        {options.width, options.height, options.samples, glslFolder()}, terminalProgress(), options.time_s};
+    StillSettings settings{{options.width, options.height, options.samples, glslFolder(), pictureCache()},
+                           terminalProgress(),
+                           options.time_s};
     Rendering rendering;
     Stopwatch watch;
-    double load_ms = 0.0;
-    if (!input.plainShader) {
-        rendering.prepared = prepare(loadScene(input.path, options.overrides, options.time_s), settings);
-        load_ms = watch.lap_ms();
-    }
+    std::future<PreparedScene> preparing; // beside the making of the context
+    if (!input.plainShader)
+        preparing =
+            std::async(std::launch::async, [scene = loadScene(input.path, options.overrides, options.time_s),
+                                            &settings] { return prepare(scene, settings); });
+    double load_ms = watch.lap_ms();
+    std::unique_ptr<Context> context;
+    if (!options.reference)
+        context = makeContext(options.backend);
+    const double context_ms = watch.lap_ms();
+    if (preparing.valid())
+        rendering.prepared = preparing.get();
+    load_ms += watch.lap_ms(); // what the making of the context did not hide
     if (options.reference) {
         rendering.context = {"reference", "double precision on the CPU", "", true};
         rendering.still = renderReferenceStill(*rendering.prepared, settings);
     } else {
-        const auto context = makeContext(options.backend);
         rendering.context = context->info();
-        const double context_ms = watch.lap_ms();
         rendering.still = rendering.prepared ? renderScene(*rendering.prepared, settings, context->info())
                                              : renderPlain(input.path, settings);
         rendering.still.phases.context = context_ms;
@@ -127,6 +135,7 @@ Rendering renderInput(const RenderOptions& options, const Input& input)
 
 ExitCode render(const RenderOptions& asked)
 {
+    Stopwatch whole;
     RenderOptions options = asked;
     const Input input = findInput(options.input);
     if (options.output.empty())
@@ -146,6 +155,7 @@ ExitCode render(const RenderOptions& asked)
     Stopwatch watch;
     write(options, rendering.still, rendering.context, !input.plainShader);
     rendering.still.phases.write = watch.lap_ms();
+    rendering.still.phases.total = whole.lap_ms();
     if (!options.shader.empty())
         writeFile(options.shader, shaderText(plan, rendering.still));
     if (options.why)

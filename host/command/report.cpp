@@ -93,6 +93,7 @@ std::string jsonText(const RenderOptions& options, const Still& still, const Con
           {"draw", still.phases.draw},
           {"read", still.phases.read},
           {"write", still.phases.write}}},
+        {"total_ms", still.phases.total},
         {"rays_per_pixel", still.raysPerSample * options.samples},
         {"nonfinite_pixels", still.nonfinite},
         {"shader", {{"characters", size.characters}, {"lines", size.lines}, {"functions", size.functions}}},

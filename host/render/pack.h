@@ -1,6 +1,7 @@
 // From a scene in the author's terms to numbers in the scene frame.
 #pragma once
 
+#include "base/picture_cache.h"
 #include "render/plan.h"
 
 namespace dioptre
@@ -31,8 +32,9 @@ PackedObject packShape(const Object& object, const glm::dvec3& origin);
 // below 1 % of the scene's size).
 double brightestRadiance(const Scene& scene, const Plan& plan, double sky);
 
-// Decodes the pictures that the plan samples, and the sky's. Throws badInput where a texel is NaN.
-void loadPictures(const Scene& scene, const Plan& plan, PackedScene& packed);
+// Decodes the pictures that the plan samples, and the sky's, or takes them from the cache. Throws badInput
+// where a texel is NaN.
+void loadPictures(const Scene& scene, const Plan& plan, PackedScene& packed, const PictureCache& cache = {});
 
 // The smallest weight of a path that is traced: trace.cut_off over the brightest radiance, the loaded sky's
 // included.

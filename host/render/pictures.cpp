@@ -1,5 +1,7 @@
 #include "render/pack.h"
 
+#include "base/parallel.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +12,18 @@ namespace dioptre
 {
 namespace
 {
+
+float brightestChannel(const Picture& picture, int x, int y)
+{
+    if (picture.format != PixelFormat::float32) {
+        const auto texel = linearTexel(picture, x, y);
+        return std::max({texel[0], texel[1], texel[2], 0.0F});
+    }
+    const auto index =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x);
+    const float* texel = picture.floats.data() + 4 * index;
+    return std::max({texel[0], texel[1], texel[2], 0.0F});
+}
 
 // The value that 99.9 % of the sky does not exceed in any channel, weighted by solid angle; up to 0.4 % above
 // it. Positive floats are ordered as their bits are, so a histogram over the upper 16 takes one pass where a
@@ -22,9 +36,7 @@ double brightSky(const Picture& picture)
     for (int y = 0; y < picture.height; ++y) {
         const double weight = std::cos((((y + 0.5) / picture.height) - 0.5) * packed::PI);
         for (int x = 0; x < picture.width; ++x) {
-            const auto texel = linearTexel(picture, x, y);
-            const float brightest = std::max({texel[0], texel[1], texel[2], 0.0F});
-            weights[std::bit_cast<std::uint32_t>(brightest) >> cellBits] += weight;
+            weights[std::bit_cast<std::uint32_t>(brightestChannel(picture, x, y)) >> cellBits] += weight;
         }
         total += weight * picture.width;
     }
@@ -37,33 +49,63 @@ double brightSky(const Picture& picture)
     return 0.0;
 }
 
+[[noreturn]] void failNotANumber(const Picture& picture, const std::string& path)
+{
+    const auto found = std::find_if(picture.floats.begin(), picture.floats.end(),
+                                    [](float number) { return std::isnan(number); });
+    const auto texel = static_cast<int>((found - picture.floats.begin()) / 4);
+    fail(ExitCode::badInput, {path, 0, 0},
+         fmt::format("texel {}, {} from the lower left is not a number", texel % picture.width,
+                     texel / picture.width),
+         "mend the picture");
+}
+
 // Renderers leave infinities where a sun exceeds their range: those become the largest half float. NaN is a
 // fault.
 Picture withFiniteTexels(Picture picture, const std::string& path)
 {
-    for (std::size_t i = 0; i < picture.floats.size(); ++i) {
-        if (std::isnan(picture.floats[i])) {
-            const auto texel = static_cast<int>(i / 4);
-            fail(ExitCode::badInput, {path, 0, 0},
-                 fmt::format("texel {}, {} from the lower left is not a number", texel % picture.width,
-                             texel / picture.width),
-                 "mend the picture");
-        }
-        picture.floats[i] = std::clamp(picture.floats[i], -65504.0F, 65504.0F);
-    }
+    const auto isNan = [](float number) { return std::isnan(number); };
+    if (std::any_of(picture.floats.begin(), picture.floats.end(), isNan))
+        failNotANumber(picture, path);
+    for (float& number : picture.floats)
+        number = std::clamp(number, -65504.0F, 65504.0F);
     return picture;
+}
+
+std::string nameOf(Encoding encoding)
+{
+    return encoding == Encoding::automatic ? "automatic" : encoding == Encoding::srgb ? "srgb" : "linear";
+}
+
+std::vector<Picture> loadMipmaps(const std::string& path, Encoding encoding, const PictureCache& cache)
+{
+    return cache.levelsOf(path, "mipmaps " + nameOf(encoding),
+                          [&] { return mipmaps(withFiniteTexels(readPicture(path, encoding), path)); });
+}
+
+std::vector<Picture> loadSky(const Sky& sky, const PictureCache& cache)
+{
+    return cache.levelsOf(sky.image, "sky " + nameOf(sky.encoding), [&] {
+        std::vector<Picture> levels; // no list of initialisers: that would copy the picture
+        levels.push_back(withFiniteTexels(readPicture(sky.image, sky.encoding), sky.image));
+        return levels;
+    });
 }
 
 } // namespace
 
-void loadPictures(const Scene& scene, const Plan& plan, PackedScene& packed)
+void loadPictures(const Scene& scene, const Plan& plan, PackedScene& packed, const PictureCache& cache)
 {
-    for (const auto& picture : plan.pictures)
-        packed.pictures.push_back(
-            mipmaps(withFiniteTexels(readPicture(picture.path, picture.encoding), picture.path)));
-    if (plan.has("sky picture") && scene.sky.kind == Sky::Kind::image)
-        packed.sky_picture.push_back(
-            withFiniteTexels(readPicture(scene.sky.image, scene.sky.encoding), scene.sky.image));
+    packed.pictures.resize(plan.pictures.size());
+    const std::size_t skies = plan.has("sky picture") && scene.sky.kind == Sky::Kind::image ? 1 : 0;
+    // The sky comes first: it takes longest.
+    inParallel(skies + plan.pictures.size(), [&](std::size_t i) {
+        if (i < skies)
+            packed.sky_picture = loadSky(scene.sky, cache);
+        else
+            packed.pictures[i - skies] =
+                loadMipmaps(plan.pictures[i - skies].path, plan.pictures[i - skies].encoding, cache);
+    });
 }
 
 void setCutOff(const Scene& scene, const Plan& plan, PackedScene& packed)

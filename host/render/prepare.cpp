@@ -25,7 +25,7 @@ PreparedScene prepare(const Scene& scene, const ViewSettings& view)
     prepared.scene = underLightType(scene);
     prepared.plan = makePlan(prepared.scene);
     prepared.packed = pack(prepared.scene, prepared.plan, View{view.height, view.samples});
-    loadPictures(prepared.scene, prepared.plan, prepared.packed);
+    loadPictures(prepared.scene, prepared.plan, prepared.packed, view.pictures);
     setCutOff(prepared.scene, prepared.plan, prepared.packed);
     addNeutralPictures(prepared.plan, prepared.packed);
     return prepared;

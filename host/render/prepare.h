@@ -1,6 +1,7 @@
 // A scene made ready for a view of it: under its light type, planned, packed, its pictures loaded.
 #pragma once
 
+#include "base/picture_cache.h"
 #include "kernel/packed_scene.h"
 #include "render/plan.h"
 
@@ -15,6 +16,7 @@ struct ViewSettings {
     int height = 720; // pixels
     int samples = 16; // a pixel
     std::filesystem::path glslFolder;
+    PictureCache pictures{}; // none unless one is named
 };
 
 struct PreparedScene {

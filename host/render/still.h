@@ -18,15 +18,16 @@ struct StillSettings : ViewSettings {
     double time_s = 0.0;                  // a plain shader's u_time; a scene was read at its time
 };
 
-// Milliseconds by a monotonic clock; a draw is over when glFinish returns.
+// Milliseconds by a monotonic clock, one after the other; a draw is over when glFinish returns.
 struct Phases {
-    double context = 0.0;
-    double load = 0.0;      // scene and pictures, plan, assembly, upload
+    double context = 0.0;   // pictures are loaded beside it, by other threads
+    double load = 0.0;      // scene, what is left of the pictures when the context is made, assembly, upload
     double compile = 0.0;   // compile and link
     double firstDraw = 0.0; // one pixel: drivers compile here
     double draw = 0.0;      // all samples of all pixels
     double read = 0.0;      // back to memory
     double write = 0.0;     // encode and write the file
+    double total = 0.0;     // of the whole command; the context's end is part of it and of no phase above
 };
 
 struct Still {

@@ -160,6 +160,10 @@ TEST_F(RenderCommand, Json_HoldsEveryFigure)
     EXPECT_EQ(json["backend"], "egl-surfaceless");
     for (const char* phase : {"context", "load", "compile", "first_draw", "draw", "read", "write"})
         EXPECT_GT(json["phases_ms"][phase].get<double>(), 0.0) << phase;
+    double sum = 0.0;
+    for (const auto& phase : json["phases_ms"])
+        sum += phase.get<double>();
+    EXPECT_GE(json["total_ms"].get<double>(), sum) << "phases follow one another";
     EXPECT_GT(json["rays_per_pixel"], 2.0);
     EXPECT_EQ(json["nonfinite_pixels"], 0);
 }

@@ -16,9 +16,10 @@ Outcome run(const std::string& command)
     std::string place = "/tmp/dioptre-test-" + std::string(6, 'X'); // mkdtemp's pattern
     if (mkdtemp(place.data()) == nullptr)
         throw std::runtime_error("no temporary folder");
-    // A function stands for the program, so that tests read as a user types.
-    const std::string whole = "dioptre() { '" DIOPTRE_PROGRAM "' \"$@\"; }\n{ " + command + "\n} >'" + place +
-                              "/out' 2>'" + place + "/error' </dev/null";
+    // A function stands for the program, so that tests read as a user types. What the user's own cache holds
+    // must not matter.
+    const std::string whole = "export DIOPTRE_CACHE=off\ndioptre() { '" DIOPTRE_PROGRAM "' \"$@\"; }\n{ " +
+                              command + "\n} >'" + place + "/out' 2>'" + place + "/error' </dev/null";
     const int status = std::system(whole.c_str());
     Outcome outcome;
     outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

@@ -13,7 +13,8 @@ struct Outcome {
     std::string error;
 };
 
-// Runs a shell command with an empty standard input; `dioptre` in it is the program under test.
+// Runs a shell command with an empty standard input; `dioptre` in it is the program under test, which keeps
+// no pictures unless the command sets DIOPTRE_CACHE.
 Outcome run(const std::string& command);
 
 } // namespace dioptre::test
