@@ -25,6 +25,7 @@ DeviceFindings examine(const ContextInfo& context)
     findings.environment = driverEnvironment(context);
     if (findings.limits.drawsIntoFloat) {
         findings.sums = probeFloatSums(glsl);
+        findings.clock = clockFor(context);
         findings.clocks = probeClocks(glsl);
         findings.loops = measureLoops(glsl);
         findings.arithmetic = testExactArithmetic(glsl, findings.limits.gpuShader5);

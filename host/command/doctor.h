@@ -6,6 +6,7 @@
 #include "gl/limits.h"
 #include "render/device_scene.h"
 #include "render/exact_arithmetic.h"
+#include "render/frame_clock.h"
 #include "render/loop_canary.h"
 #include "render/probe.h"
 
@@ -22,6 +23,7 @@ struct DeviceFindings {
     DeviceLimits limits;
     DriverEnvironment environment;
     FloatSums sums;
+    ClockKind clock = ClockKind::finish; // that bench takes here
     Clocks clocks;
     LoopCanary loops;
     ExactArithmetic arithmetic;

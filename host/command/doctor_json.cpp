@@ -124,8 +124,8 @@ std::string doctorJson(const std::vector<BackendReport>& attempts, const DeviceF
         const Clocks& clocks = findings->clocks;
         const bool software = findings->context.software;
         json["float_sums"] = {{"right", findings->sums.right}, {"worst_ulp", findings->sums.worst_ulp}};
-        json["clock"] = {{"use", timerQueriesHold(clocks, software) ? "timer-query" : "monotonic"},
-                         {"monotonic_ms", clocks.monotonic_ms},
+        json["clock"] = {{"use", nameOf(findings->clock)},
+                         {"finish_ms", clocks.finish_ms},
                          {"timer_query_ms", clocks.timerQuery_ms}};
         json["loops"] = jsonOf(findings->loops, software);
         json["arithmetic"] = jsonOf(findings->arithmetic);

@@ -64,14 +64,15 @@ Section sumsSection(const FloatSums& sums)
                         : "samples do not add up: pictures of several draws are wrong"}};
 }
 
-Section clockSection(const Clocks& clocks, bool software)
+Section clockSection(const Clocks& clocks, ClockKind chosen)
 {
-    return {"clock",
-            {{"one draw until glFinish", fmt::format("{:.1f} ms", clocks.monotonic_ms)},
-             {"the same by timer query", fmt::format("{:.1f} ms", clocks.timerQuery_ms)}},
-            {timerQueriesHold(clocks, software)
-                 ? "time draws by timer queries"
-                 : "time draws by glFinish and the monotonic clock, not by timer queries"}};
+    Section section{"clock",
+                    {{"one draw until glFinish", fmt::format("{:.1f} ms", clocks.finish_ms)},
+                     {"the same by timer query", fmt::format("{:.1f} ms", clocks.timerQuery_ms)}},
+                    {"bench times draws by " + nameOf(chosen)}};
+    if (chosen == ClockKind::timerQuery && !clocks.queriesHold())
+        section.follows.emplace_back("they tell less than half of the time that passed: do not believe them");
+    return section;
 }
 
 std::string sharedBy(const LoopCanary& loops)
@@ -207,7 +208,7 @@ std::string findingsText(const DeviceFindings& findings)
         text += textOf(sumsSection(findings.sums)) + textOf(loopsSection(findings.loops, software)) +
                 textOf(arithmeticSection(findings.arithmetic)) +
                 textOf(extremesSection(findings.arithmetic.extremes)) +
-                textOf(clockSection(findings.clocks, software));
+                textOf(clockSection(findings.clocks, findings.clock));
     return text + textOf(timesSection(findings.environment, software));
 }
 

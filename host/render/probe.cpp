@@ -1,9 +1,9 @@
 #include "render/probe.h"
 
-#include "base/clock.h"
 #include "base/file.h"
 #include "render/build.h"
 #include "render/device_scene.h"
+#include "render/frame_clock.h"
 #include "render/preprocess.h"
 
 #include <algorithm>
@@ -71,29 +71,13 @@ Clocks probeClocks(const std::filesystem::path& glslFolder)
     glUniform2i(locationOf(program, "u_limits"), 500, 0);
     // llvmpipe's query tells of the last tiles of 64x64 pixels alone, so that one tile would hide its lie.
     const auto target = makeAccumulationTarget(512, 512);
-    GLuint query = 0;
-    glGenQueries(1, &query);
-    drawReplacing(target); // drivers compile at the first draw
-    glFinish();
-    Clocks least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    for (int i = 0; i < 3; ++i) {
-        Stopwatch watch;
-        glBeginQuery(GL_TIME_ELAPSED, query);
-        drawReplacing(target);
-        glEndQuery(GL_TIME_ELAPSED);
-        glFinish();
-        least.monotonic_ms = std::min(least.monotonic_ms, watch.lap_ms());
-        GLuint64 elapsed_ns = 0;
-        glGetQueryObjectui64v(query, GL_QUERY_RESULT, &elapsed_ns);
-        least.timerQuery_ms = std::min(least.timerQuery_ms, static_cast<double>(elapsed_ns) * 1.0e-6);
-    }
-    glDeleteQueries(1, &query);
-    return least;
-}
-
-bool timerQueriesHold(const Clocks& clocks, bool software)
-{
-    return !software && clocks.timerQuery_ms >= 0.5 * clocks.monotonic_ms;
+    const auto draw = [&target] { drawReplacing(target); };
+    draw(); // drivers compile at the first draw
+    const auto leastBy = [&draw](ClockKind kind) {
+        FrameClock clock(kind);
+        return std::min({clock.time_ms(draw), clock.time_ms(draw), clock.time_ms(draw)});
+    };
+    return {leastBy(ClockKind::finish), leastBy(ClockKind::timerQuery)};
 }
 
 } // namespace dioptre

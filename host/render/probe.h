@@ -30,15 +30,17 @@ struct FloatSums {
 };
 FloatSums probeFloatSums(const std::filesystem::path& glslFolder);
 
-// One draw of tens of milliseconds on a CPU by both clocks; the least of three.
+// One draw of tens of milliseconds on a CPU by both clocks of a FrameClock; the least of three.
 struct Clocks {
-    double monotonic_ms = 0.0; // from before the draw until glFinish returns
+    double finish_ms = 0.0;
     double timerQuery_ms = 0.0;
+
+    // Whether timer queries tell at least half of the time that passed.
+    bool queriesHold() const
+    {
+        return timerQuery_ms >= 0.5 * finish_ms;
+    }
 };
 Clocks probeClocks(const std::filesystem::path& glslFolder);
-
-// Whether timer queries can be believed: never on software drivers, and nowhere where they tell less than
-// half of the time that passed.
-bool timerQueriesHold(const Clocks& clocks, bool software);
 
 } // namespace dioptre

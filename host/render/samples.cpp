@@ -6,7 +6,6 @@
 
 namespace dioptre
 {
-
 namespace
 {
 
@@ -27,6 +26,16 @@ Iterations loop(long times, Iterations body = {})
     return {times * (1 + body.full) + 1 + body.empty, 1 + body.empty};
 }
 
+// One loop for each kind of light that there is; the kinds share the lights.
+Iterations iterationsOfLights(const Plan& plan, long lights, Iterations shadow)
+{
+    Iterations all{lights * (1 + shadow.full), 0};
+    for (const char* kind : {"HAS_DIRECTIONAL_LIGHT", "HAS_POINT_LIGHT", "HAS_SPOT_LIGHT", "HAS_GLOW"})
+        if (plan.defines.contains(kind))
+            all = all + loop(0, shadow);
+    return all;
+}
+
 // What each ray runs: glsl/trace/scene_loop.glsl, light.glsl, and the pool of heaviest_first.glsl.
 Iterations iterationsOfARay(const Plan& plan, const PackedScene& packed)
 {
@@ -34,9 +43,10 @@ Iterations iterationsOfARay(const Plan& plan, const PackedScene& packed)
     Iterations ray;
     if (plan.form == SceneForm::loop)
         ray = loop(packed::KIND_COUNT, loop(0)) + Iterations{objects, 0}; // the kinds share the objects
-    if (!packed.lights.empty())
-        ray = ray + loop(static_cast<long>(packed.lights.size()),
-                         plan.has("shadows") && plan.form == SceneForm::loop ? loop(objects) : Iterations{});
+    if (plan.has("light loops"))
+        ray = ray + iterationsOfLights(plan, static_cast<long>(packed.lights.size()),
+                                       plan.has("shadows") && plan.form == SceneForm::loop ? loop(objects)
+                                                                                           : Iterations{});
     if (plan.tree == RayTree::heaviestFirst)
         ray = ray + loop(packed.poolSlots) + loop(packed.poolSlots);
     return ray;

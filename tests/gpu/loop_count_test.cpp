@@ -32,8 +32,9 @@ std::string sceneOf(const Case& hall)
         "[camera]\neye = [0,0,0]\ntarget = [0.3,0.1,-1]\n[trace]\ncut_off = 0\n" + hall.trace +
         "\n[material.wall]\nmirror = 0.999\nshadow = \"none\"\n[material.m]\ncolour = [1,1,1]\n" +
         hall.surface + "\n";
-    for (int i = 0; i < hall.lights; ++i)
-        text += "[[light]]\nkind = \"point\"\nposition = [0.5,0,0]\n";
+    for (int i = 0; i < hall.lights; ++i) // of both kinds that have a loop of their own
+        text += i % 2 == 0 ? "[[light]]\nkind = \"point\"\nposition = [0.5,0,0]\n"
+                           : "[[light]]\nkind = \"directional\"\ndirection = [0,-1,0]\n";
     for (int i = 0; i < hall.balls; ++i)
         text += "[[sphere]]\ncentre = [0,0,0]\nradius = " + std::to_string(2 + i) + "\nmaterial = \"m\"\n";
     return text + "[[sphere]]\ncentre = [0,0,0]\nradius = 20\nmaterial = \"wall\"\n";

@@ -137,11 +137,10 @@ TEST(LoopsSuffice, WhereNoCapOrTheKnownOneIsFound)
     EXPECT_FALSE(loopsSuffice(canary(262144, false), true)) << "counts without the work";
 }
 
-TEST(TimerQueries, HoldWhereTheyTellMostOfTheTime)
+TEST(Clocks, QueriesHoldWhereTheyTellMostOfTheTime)
 {
-    EXPECT_TRUE(timerQueriesHold({10.0, 9.5}, false));
-    EXPECT_FALSE(timerQueriesHold({75.0, 2.0}, false));
-    EXPECT_FALSE(timerQueriesHold({10.0, 9.5}, true)) << "software drivers tell of their last tile";
+    EXPECT_TRUE((Clocks{10.0, 9.5}.queriesHold()));
+    EXPECT_FALSE((Clocks{75.0, 2.0}.queriesHold()));
 }
 
 // 64 KiB: materials of 11, lights of 6 vectors of 16 bytes; objects of 5 behind a head of 8.
