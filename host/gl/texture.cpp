@@ -103,8 +103,10 @@ Texture uploadPictureArray(const std::vector<std::span<const Picture>>& layers)
         glTexImage3D(kind, levelNumber, static_cast<GLint>(layout.stored), width, height, layerCount, 0,
                      GL_RGBA, layout.numberType, nullptr);
         for (std::size_t layer = 0; layer < layers.size(); ++layer)
-            glTexSubImage3D(kind, levelNumber, 0, 0, static_cast<GLint>(layer), width, height, 1, GL_RGBA,
-                            layout.numberType, numbersOf(layers[layer][level]));
+            if (level < layers[layer].size())
+                glTexSubImage3D(kind, levelNumber, 0, 0, static_cast<GLint>(layer),
+                                layers[layer][level].width, layers[layer][level].height, 1, GL_RGBA,
+                                layout.numberType, numbersOf(layers[layer][level]));
     }
     glTexParameteri(kind, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(first.size()) - 1);
     setSampling(kind, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT, GL_REPEAT);

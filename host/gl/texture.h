@@ -10,8 +10,8 @@
 namespace dioptre
 {
 
-// An array texture of pictures of one size and format, with all their mip levels (trilinear, repeating both
-// ways). layers[i] is the mip chain of layer i.
+// An array texture of pictures of one format, with all their mip levels (trilinear, repeating both ways).
+// layers[i] is the mip chain of layer i; the first is the largest, the others fill their lower left corner.
 Texture uploadPictureArray(const std::vector<std::span<const Picture>>& layers);
 
 // A single 2D float texture without mip levels (bilinear; repeats along s, clamps along t): the sky.

@@ -30,40 +30,6 @@ std::string countsText(const PackedScene& packed)
         std::max<std::ptrdiff_t>(1, moving), packed.poolSlots, packed.budget);
 }
 
-// "colour = …" from one array; the layer is chosen by selects on the picture's index.
-std::string fetchText(const PictureGroup& group)
-{
-    std::string layer = literal(0.0);
-    std::vector<std::string> tests = {fmt::format("picture == {}", group.pictures.front())};
-    for (std::size_t i = 1; i < group.pictures.size(); ++i) {
-        layer =
-            fmt::format("picture == {} ? {} : {}", group.pictures[i], literal(static_cast<double>(i)), layer);
-        tests.push_back(fmt::format("picture == {}", group.pictures[i]));
-    }
-    return fmt::format(
-        "    size = vec2({}, {});\n"
-        "    level = pictureLevel(footprint, size);\n"
-        "    texel = textureLod({}, vec3(withinPicture(uv, wraps, level, size), {}), level).xyz;\n"
-        "    colour = {} ? texel : colour;\n",
-        literal(group.width), literal(group.height), group.uniform, layer, join(tests, " || "));
-}
-
-// pictureColour(): which array and layer a picture's index means.
-std::string picturesText(const std::vector<PictureGroup>& groups)
-{
-    std::string text;
-    for (const auto& group : groups)
-        text += fmt::format("uniform sampler2DArray {}; // {} x {} texels\n", group.uniform, group.width,
-                            group.height);
-    text +=
-        "\n// Linear colour of a picture, white for none; `footprint` is a sample's size as a share of it.\n"
-        "vec3 pictureColour(int picture, vec2 uv, vec2 wraps, vec2 footprint)\n{\n"
-        "    vec3 colour = vec3(1.0);\n    vec3 texel;\n    vec2 size;\n    float level;\n";
-    for (const auto& group : groups)
-        text += fetchText(group);
-    return text + "    return colour;\n}\n\n";
-}
-
 const char* treeFunction(RayTree tree)
 {
     switch (tree) {
@@ -132,7 +98,7 @@ std::string sceneText(const Scene& scene, const Plan& plan, const PackedScene& p
 {
     std::string text;
     if (plan.has("picture"))
-        text += picturesText(pictureGroups(packed));
+        text += picturesText(plan, packed);
     text += plan.has("geometry table") ? "#include \"trace/scene_table.glsl\"\n"
                                        : lookupText(typicalOf(scene), packed, plan);
     if (plan.form == SceneForm::loop && plan.has("objects"))
@@ -141,27 +107,6 @@ std::string sceneText(const Scene& scene, const Plan& plan, const PackedScene& p
 }
 
 } // namespace
-
-std::vector<PictureGroup> pictureGroups(const PackedScene& packed)
-{
-    std::vector<PictureGroup> groups;
-    for (std::size_t i = 0; i < packed.pictures.size(); ++i) {
-        const auto& picture = packed.pictures[i].front();
-        auto group = std::find_if(groups.begin(), groups.end(), [&](const PictureGroup& g) {
-            return g.width == picture.width && g.height == picture.height && g.format == picture.format;
-        });
-        if (group == groups.end()) {
-            groups.push_back({picture.width,
-                              picture.height,
-                              picture.format,
-                              {},
-                              fmt::format("u_pictures{}", groups.size())});
-            group = groups.end() - 1;
-        }
-        group->pictures.push_back(i);
-    }
-    return groups;
-}
 
 namespace
 {

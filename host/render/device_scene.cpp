@@ -50,9 +50,9 @@ std::size_t bytesOf(const std::vector<Picture>& levels)
     return bytes;
 }
 
-void uploadTextures(DeviceScene& device, const PackedScene& packed)
+void uploadTextures(DeviceScene& device, const Plan& plan, const PackedScene& packed)
 {
-    for (const auto& group : pictureGroups(packed)) {
+    for (const auto& group : pictureGroups(plan, packed)) {
         std::vector<std::span<const Picture>> layers;
         for (const auto picture : group.pictures) {
             layers.push_back(packed.pictures[picture]);
@@ -125,7 +125,7 @@ DeviceScene upload(const PackedScene& packed, const Plan& plan)
         addBlock(device, "ShapeBlock", shapeValues(packed), "objects, which this shader reads from a table,");
     if (plan.has("moving geometry"))
         addBlock(device, "MovingBlock", movingValues(packed), "objects that move");
-    uploadTextures(device, packed);
+    uploadTextures(device, plan, packed);
     return device;
 }
 

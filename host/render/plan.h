@@ -27,6 +27,12 @@ struct PictureUse {
     bool operator==(const PictureUse&) const = default;
 };
 
+// Along which sides a picture repeats on the objects that wear it: both on a plane, u around round shapes.
+struct Repeats {
+    bool u = false;
+    bool v = false;
+};
+
 // A number or vector of the shader's uniforms.
 struct SharedValue {
     std::string name;   // as both stages call it: "u_camera.eye.xyz"
@@ -45,11 +51,13 @@ struct Plan {
     std::vector<std::size_t> materials; // those that objects or the camera use, in order
     std::vector<std::size_t>
         placedLights; // directional, point and spot lights of Scene::lights that shine, by kind
-    std::vector<std::size_t> glowing; // objects that light the scene
-    std::vector<PictureUse> pictures; // those that are sampled, each once
-    std::vector<SharedValue> shared;  // what comes through the vertex stage
-    std::vector<bool> enteredOnly;    // by object: a solid that no ray is ever within
-    bool readsMaterials = false;      // whether the shader reads any number of a material
+    std::vector<std::size_t> glowing;    // objects that light the scene
+    std::vector<PictureUse> pictures;    // those that are sampled, each once
+    std::vector<Repeats> pictureRepeats; // by picture; one more than pictures where the plan forces one in
+    bool padPictures = true;             // whether smaller pictures share the array of larger ones
+    std::vector<SharedValue> shared;     // what comes through the vertex stage
+    std::vector<bool> enteredOnly;       // by object: a solid that no ray is ever within
+    bool readsMaterials = false;         // whether the shader reads any number of a material
 
     const Feature& feature(const std::string& name) const; // must exist
     bool has(const std::string& name) const

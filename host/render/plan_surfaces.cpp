@@ -56,6 +56,19 @@ void Planner::surfaces()
         if (seen(material) && !material.image.empty() && std::ranges::count(plan_.pictures, use) == 0)
             plan_.pictures.push_back(use);
     }
+    plan_.padPictures = scene_.plan.pictures != PlanChoices::Pictures::apart;
+    plan_.pictureRepeats.resize(plan_.pictures.size() + 1);
+    for (const auto& object : scene_.objects) {
+        const auto& material = scene_.materials[object.material];
+        const auto found = std::ranges::find(plan_.pictures, PictureUse{material.image, material.encoding});
+        if (found == plan_.pictures.end())
+            continue;
+        auto& repeats = plan_.pictureRepeats[static_cast<std::size_t>(found - plan_.pictures.begin())];
+        const bool plane = std::holds_alternative<Plane>(object.primitive);
+        repeats.u = repeats.u || plane || std::holds_alternative<Sphere>(object.primitive) ||
+                    std::holds_alternative<Cylinder>(object.primitive);
+        repeats.v = repeats.v || plane;
+    }
 }
 
 void Planner::coordinates(const std::function<bool(const Material&)>& wears)

@@ -11,7 +11,7 @@ PlanChoices readPlan(const Table& document)
     const Value* section = find(document, "plan");
     if (!section)
         return plan;
-    const TableReader reader(*section, "[plan]", {"force", "values", "lookup", "within"});
+    const TableReader reader(*section, "[plan]", {"force", "values", "lookup", "within", "pictures"});
     using Force = PlanChoices::Force;
     using Values = PlanChoices::Values;
     using Lookup = PlanChoices::Lookup;
@@ -24,6 +24,9 @@ PlanChoices readPlan(const Table& document)
         {{"auto", Lookup::automatic}, {"selects", Lookup::selects}, {"table", Lookup::table}});
     using Within = PlanChoices::Within;
     reader.choice<Within>("within", plan.within, {{"auto", Within::automatic}, {"always", Within::always}});
+    using Pictures = PlanChoices::Pictures;
+    reader.choice<Pictures>("pictures", plan.pictures,
+                            {{"auto", Pictures::automatic}, {"apart", Pictures::apart}});
     return plan;
 }
 

@@ -58,8 +58,10 @@ struct PlanChoices {
     enum class Values { automatic, shared, uniforms };
     enum class Lookup { automatic, selects, table };
     enum class Within { automatic, always };
-    Force force = Force::none;         // all: every feature in, whether the scene needs it or not
-    Values values = Values::automatic; // how materials, lights and camera reach a pixel
+    enum class Pictures { automatic, apart };
+    Force force = Force::none;               // all: every feature in, whether the scene needs it or not
+    Values values = Values::automatic;       // how materials, lights and camera reach a pixel
+    Pictures pictures = Pictures::automatic; // apart: only pictures of one size share an array
     Within within = Within::automatic; // always: every solid is asked from within, though no ray gets there
     Lookup lookup = Lookup::automatic; // how the nearest object's surface is looked up
 };
