@@ -1,8 +1,4 @@
-# file: trace/light.glsl
+# file: trace/scatter.glsl
 # answer: 27-ambient-light-once
-# Defect 27: ambient light is added once per light.
-/^        float cosine = dot(surface/i\
-#ifdef HAS_AMBIENT\
-        if (i > 0)\
-            radiance += u_ambient * ambientColour;\
-#endif
+# Defect 27: ambient light is added once per light, and never without one.
+s/radiance += u_ambient \*/radiance += float(LIGHT_COUNT) * u_ambient */

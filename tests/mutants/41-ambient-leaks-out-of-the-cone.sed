@@ -1,4 +1,4 @@
 # file: trace/light.glsl
 # answer: 41-a-spots-ambient-part-stays-in-its-cone
 # Defect 41: a spot's ambient part takes no notice of the cone.
-s/radiance += incidence\.strength \* light\.ambient\.xyz/radiance += light.ambient.xyz/
+s/return incidence\.strength \* light\.ambient\.xyz/return light.ambient.xyz/
