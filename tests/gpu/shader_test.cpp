@@ -10,10 +10,12 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <set>
+#include <sstream>
 
 using namespace dioptre;
 using namespace dioptre::test;
@@ -21,78 +23,259 @@ using namespace dioptre::test;
 namespace
 {
 
+// Both stages of a scene's program, as the driver gets them.
+struct Stages {
+    std::string fragment;
+    std::string vertex;
+};
+
+using Overrides = std::vector<std::string>;
+
+Stages assembled(const std::filesystem::path& scene, const Overrides& overrides)
+{
+    const ViewSettings settings{64, 36, 1, glslFolder()};
+    const auto prepared = prepare(loadScene(scene, overrides), settings);
+    return {flatten(assemble(prepared.scene, prepared.plan, prepared.packed, settings.glslFolder)),
+            flatten(assembleVertex(prepared.plan, prepared.packed, settings.glslFolder))};
+}
+
 class GalleryShader : public testing::TestWithParam<std::filesystem::path>
 {
 protected:
-    SourceText shaderOf(const std::vector<std::string>& overrides) const
+    // Made once for all tests: the pictures take most of the time.
+    static const Stages& stagesOf(const Overrides& overrides)
     {
-        const ViewSettings settings{64, 36, 1, glslFolder()};
-        const auto prepared = prepare(loadScene(GetParam(), overrides), settings);
-        return assemble(prepared.scene, prepared.plan, prepared.packed, settings.glslFolder);
+        static std::map<std::pair<std::filesystem::path, Overrides>, Stages> made;
+        const std::pair key(GetParam(), overrides);
+        auto found = made.find(key);
+        if (found == made.end())
+            found = made.emplace(key, assembled(GetParam(), overrides)).first;
+        return found->second;
     }
 };
 
 INSTANTIATE_TEST_SUITE_P(Scenes, GalleryShader, testing::ValuesIn(galleryScenes()),
                          [](const auto& info) { return info.param.stem().string(); });
 
-const std::vector<std::vector<std::string>> variants = {
-    {}, {"trace.form=loop"}, {"trace.order=breadth-first"}, {"trace.light_type=0"}, {"trace.light_type=2"}};
+const std::vector<Overrides> variants = {
+    {},
+    {"trace.form=loop"},
+    {"trace.order=breadth-first"},
+    {"trace.light_type=0"},
+    {"trace.light_type=2"},
+    {"plan.values=uniforms"},
+    {"plan.lookup=table"},
+};
 
-// Bodies of the functions of a shader, by name. It reads the text on its own, not by the pruner that is under
-// test: a definition starts in the first column with "type name(" and ends with the first "}" in that column.
-std::map<std::string, std::string> functionBodies(const std::string& shader)
+std::string nameOf(const Overrides& overrides)
 {
-    const std::string text = std::regex_replace(shader, std::regex("//[^\n]*"), "");
-    const std::regex definition("(^|\n)(?!struct|layout|uniform|const|out|#)\\w+ (\\w+)\\([^;{]*\\)\\s*\\{");
-    std::map<std::string, std::string> bodies;
-    for (std::sregex_iterator found(text.begin(), text.end(), definition), end; found != end; ++found) {
-        const auto start = static_cast<std::size_t>(found->position() + found->length());
-        bodies[(*found)[2]] = text.substr(start, text.find("\n}", start) - start);
+    return overrides.empty() ? "as it is" : overrides.front();
+}
+
+// GLSL 3.30 as GLSL ES 3.00: the version is another, and the precisions have to be said.
+std::string asEs(const std::string& shader)
+{
+    const std::string version = "#version 330 core\n";
+    EXPECT_TRUE(shader.starts_with(version));
+    return "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
+           "precision highp sampler2DArray;\n" +
+           shader.substr(version.size());
+}
+
+// What an independent compiler says of shaders: nothing where it accepts them all. By the files' names, which
+// end in .frag or .vert.
+std::string complaints(const std::map<std::string, std::string>& shaders)
+{
+    const auto folder = std::filesystem::temp_directory_path() / ("dioptre-glsl-" + std::to_string(getpid()));
+    std::filesystem::create_directory(folder);
+    std::string command = "cd '" + folder.string() + "' && glslangValidator";
+    for (const auto& [name, text] : shaders) {
+        std::ofstream(folder / name) << text;
+        command += " '" + name + "'";
     }
-    return bodies;
+    const auto outcome = run(command);
+    std::filesystem::remove_all(folder);
+    return outcome.code == 0 ? "" : "exit code " + std::to_string(outcome.code) + "\n" + outcome.out;
+}
+
+// The lines without their comments. The tests read the text on their own, not by the pruner that is under
+// test.
+std::vector<std::string> codeLines(const std::string& shader)
+{
+    std::vector<std::string> lines;
+    std::istringstream stream(shader);
+    for (std::string line; std::getline(stream, line);)
+        lines.push_back(line.substr(0, line.find("//")));
+    return lines;
+}
+
+std::vector<std::string> wordsOf(const std::string& text)
+{
+    std::vector<std::string> words;
+    bool within = false;
+    for (const char c : text) {
+        const bool isWord = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+        if (isWord && !within)
+            words.emplace_back();
+        if (isWord)
+            words.back() += c;
+        within = isWord;
+    }
+    return words;
+}
+
+// A declaration at file scope. It starts in the first column, and ends where a line of it ends with ';' or
+// '}' in or before that column's bracket.
+struct Declaration {
+    std::set<std::string> names; // what it declares; a block declares its members
+    std::string text;
+    bool isFunction = false;
+};
+
+Declaration declarationOf(const std::string& text)
+{
+    Declaration result{{}, text, false};
+    const auto words = wordsOf(text);
+    const auto bracket = text.find_first_of("({");
+    if (text.starts_with("layout")) {
+        std::istringstream members(text.substr(text.find('{')));
+        for (std::string line; std::getline(members, line);)
+            if (const auto found = wordsOf(line); found.size() >= 2)
+                result.names.insert(found[1]);
+        return result;
+    }
+    static const std::set<std::string> qualifiers = {"uniform", "const", "out", "in", "flat"};
+    std::size_t name = text.starts_with("#define") || text.starts_with("struct") ? 1 : 0;
+    while (qualifiers.contains(words[name]))
+        ++name;
+    name += text.starts_with("#define") || text.starts_with("struct") ? 0 : 1;
+    result.names = {words[name]};
+    result.isFunction = bracket != std::string::npos && text[bracket] == '(' && text.ends_with("}\n");
+    return result;
+}
+
+std::vector<Declaration> declarationsOf(const std::string& shader)
+{
+    std::vector<Declaration> declarations;
+    std::string text;
+    for (const auto& line : codeLines(shader)) {
+        const bool blank = line.find_first_not_of(' ') == std::string::npos;
+        if (blank || line.starts_with("#version"))
+            continue;
+        text += line + '\n';
+        const auto last = line[line.find_last_not_of(' ')];
+        const bool open = text.find('{') != std::string::npos && !line.starts_with('}');
+        if (line.starts_with('#') || (!open && (last == ';' || last == '}'))) {
+            declarations.push_back(declarationOf(text));
+            text.clear();
+        }
+    }
+    EXPECT_EQ(text, "") << "the last declaration does not end";
+    return declarations;
 }
 
 // Functions that main() reaches by calls.
-std::set<std::string> reachedFromMain(const std::map<std::string, std::string>& bodies)
+std::set<std::string> reachedFromMain(const std::map<std::string, std::set<std::string>>& mentioned)
 {
-    const std::regex call("\\b(\\w+)\\s*\\(");
     std::set<std::string> reached = {"main"};
     std::vector<std::string> open = {"main"};
     while (!open.empty()) {
-        const auto body = bodies.at(open.back());
+        const auto names = mentioned.at(open.back());
         open.pop_back();
-        for (std::sregex_iterator found(body.begin(), body.end(), call), end; found != end; ++found) {
-            const std::string name = (*found)[1];
-            if (bodies.contains(name) && reached.insert(name).second)
+        for (const auto& name : names)
+            if (mentioned.contains(name) && reached.insert(name).second)
                 open.push_back(name);
-        }
     }
     return reached;
 }
 
+// Names of a shader's declarations that nothing but themselves and receiveShared() mentions; of a block, the
+// names of all its members if none is mentioned.
+std::set<std::string> unusedNames(const std::string& shader)
+{
+    const auto declarations = declarationsOf(shader);
+    std::map<std::string, int> mentions; // declarations that hold the name
+    for (const auto& declaration : declarations) {
+        const auto words = wordsOf(declaration.text);
+        const bool receives = declaration.names.contains("receiveShared");
+        for (const auto& word : std::set<std::string>(words.begin(), words.end()))
+            mentions[word] += receives && word != "v_shared" && word != "receiveShared" ? 0 : 1;
+    }
+    std::set<std::string> unused;
+    for (const auto& declaration : declarations) {
+        const bool output = declaration.text.starts_with("out ") || declaration.text.starts_with("flat out ");
+        const auto& names = declaration.names;
+        if (!output && !names.contains("main") &&
+            std::ranges::none_of(names, [&](const auto& name) { return mentions[name] > 1; }))
+            unused.insert(names.begin(), names.end());
+    }
+    return unused;
+}
+
 } // namespace
 
-TEST_P(GalleryShader, GlslangValidator_AcceptsItAsGlsl330)
+TEST_P(GalleryShader, GlslangValidator_AcceptsBothStagesAsGlsl330AndAsGlslEs300)
 {
+    std::map<std::string, std::string> shaders;
     for (const auto& overrides : variants) {
-        const auto file =
-            std::filesystem::temp_directory_path() /
-            ("dioptre-" + std::to_string(getpid()) + "-" + GetParam().stem().string() + ".frag");
-        std::ofstream(file) << flatten(shaderOf(overrides));
-        const auto outcome = run("glslangValidator -C '" + file.string() + "'");
-        EXPECT_EQ(outcome.code, 0) << outcome.out;
-        std::filesystem::remove(file);
+        const auto& stages = stagesOf(overrides);
+        shaders[nameOf(overrides) + ".frag"] = stages.fragment;
+        shaders[nameOf(overrides) + ".vert"] = stages.vertex;
+        shaders[nameOf(overrides) + ", ES.frag"] = asEs(stages.fragment);
+        shaders[nameOf(overrides) + ", ES.vert"] = asEs(stages.vertex);
     }
+    EXPECT_EQ(complaints(shaders), "");
+}
+
+TEST(ShaderComplaints, AFaultThatOnlyEsHas_IsFound)
+{
+    // GLSL ES turns no int into a float.
+    const std::string shader = "#version 330 core\nout vec4 o_sum;\nvoid main()\n{\n    float x = 1;\n"
+                               "    o_sum = vec4(x);\n}\n";
+    EXPECT_EQ(complaints({{"a.frag", shader}}), "");
+    EXPECT_NE(complaints({{"a.frag", shader}, {"b.frag", asEs(shader)}}).find("b.frag"), std::string::npos);
+}
+
+TEST(ShaderDeclarations, ThoseThatNothingReads_AreFound)
+{
+    const std::string used =
+        "#version 330 core\nstruct Used\n{\n    vec4 x;\n};\nlayout(std140) uniform A\n{\n"
+        "    Used u_a;\n    vec4 u_b;\n};\nout vec4 o;\n\nvoid main()\n{\n    o = u_a.x;\n}\n";
+    const std::string unused =
+        "#define SEVEN 7\nconst float eight = 8.0;\nuniform float u_nine;\nvec3 ten[SEVEN];\n"
+        "layout(std140) uniform B\n{\n    Used u_c[3];\n};\nstruct Eleven\n{\n    vec4 x;\n};\n"
+        "float twelve(float x)\n{\n    {\n        x += 1.0;\n    }\n    return x;\n}\n"
+        "void receiveShared()\n{\n    ten[0] = vec3(1.0);\n}\n";
+    EXPECT_EQ(unusedNames(used), std::set<std::string>());
+    EXPECT_EQ(unusedNames(used + unused),
+              (std::set<std::string>{"eight", "u_nine", "ten", "u_c", "Eleven", "twelve", "receiveShared"}));
 }
 
 TEST_P(GalleryShader, EveryFunction_IsCalled)
 {
     for (const auto& overrides : variants) {
-        const auto bodies = functionBodies(flatten(shaderOf(overrides)));
-        const auto reached = reachedFromMain(bodies);
+        std::map<std::string, std::set<std::string>> mentioned; // by function
+        for (const auto& declaration : declarationsOf(stagesOf(overrides).fragment))
+            if (declaration.isFunction) {
+                const auto words = wordsOf(declaration.text);
+                mentioned[*declaration.names.begin()].insert(words.begin(), words.end());
+            }
+        const auto reached = reachedFromMain(mentioned);
         ASSERT_GT(reached.size(), 20U);
-        for (const auto& [name, body] : bodies)
-            EXPECT_TRUE(reached.contains(name)) << name << " is never called";
+        for (const auto& [name, words] : mentioned)
+            EXPECT_TRUE(reached.contains(name)) << name << " is never called, " << nameOf(overrides);
+    }
+}
+
+TEST_P(GalleryShader, EveryDeclaration_IsUsedInBothStages)
+{
+    const std::set<std::string> none;
+    for (const auto& overrides : variants) {
+        EXPECT_EQ(unusedNames(stagesOf(overrides).fragment), none) << nameOf(overrides);
+        if (stagesOf(overrides).vertex.find("v_shared") != std::string::npos)
+            EXPECT_EQ(unusedNames(stagesOf(overrides).vertex), none) << nameOf(overrides);
+        else
+            EXPECT_EQ(declarationsOf(stagesOf(overrides).vertex).size(), 1U) << nameOf(overrides);
     }
 }
 
@@ -105,7 +288,9 @@ TEST_P(GalleryShader, ActiveUniforms_AreThoseOfThePlan)
 
 TEST_P(GalleryShader, Text_IsTheSameEachTime)
 {
-    EXPECT_EQ(flatten(shaderOf({})), flatten(shaderOf({})));
+    const auto again = assembled(GetParam(), {});
+    EXPECT_EQ(stagesOf({}).fragment, again.fragment);
+    EXPECT_EQ(stagesOf({}).vertex, again.vertex);
 }
 
 TEST(ShaderErrors, AnEditedFile_IsNamedWithItsLine)
