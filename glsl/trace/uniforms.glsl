@@ -5,9 +5,9 @@ uniform int u_sample_first;    // index of the first sample of this draw
 uniform int u_sample_count;    // samples in this draw
 uniform int u_depth;           // most bounces of a path
 
+#ifdef HAS_SHARED_VIEW
 // What all pixels share comes through the vertex stage where it can: software drivers gather a uniform for every pixel, at
 // some twenty instructions a number, and a flat input is one instruction. receiveShared() fills these in.
-#ifdef HAS_SHARED_VIEW
 vec2 u_resolution;     // whole picture, pixels
 vec2 u_tile_origin_px; // lower left corner of what is drawn, in the whole picture
 int u_budget;          // rays a sample, the eye ray included

@@ -23,7 +23,7 @@ std::vector<std::string> rangeSteps(const std::string& name, const Values& value
         if (!values[i] || values[i] == current)
             continue;
         if (current)
-            steps.push_back(fmt::format("{} < {} ? {} : ", name, i, *current));
+            steps.push_back(fmt::format("{} < {} ? {} :", name, i, *current));
         current = values[i];
     }
     last = *current;
@@ -41,7 +41,7 @@ std::vector<std::string> equalitySteps(const std::string& name, const Values& va
     std::vector<std::string> steps;
     for (std::size_t i = 0; i < values.size(); ++i)
         if (values[i] && *values[i] != last)
-            steps.push_back(fmt::format("{} == {} ? {} : ", name, i, *values[i]));
+            steps.push_back(fmt::format("{} == {} ? {} :", name, i, *values[i]));
     return steps;
 }
 
