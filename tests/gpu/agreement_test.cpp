@@ -45,18 +45,20 @@ TEST_P(Gallery, SinglePrecision_AgreesWithDouble)
     EXPECT_LT(difference.over, difference.pixels / 200);
 }
 
-TEST_P(Gallery, LoopOverATable_DrawsThePictureOfLiteralGeometry)
+TEST_P(Gallery, TablesAndUniforms_DrawThePictureOfLiteralsSelectsAndSharedValues)
 {
     // The same kernels on the same floats: only the compiler's folding of constants differs, so a few samples
     // at edges.
-    const Request literal{160, 90, 1, {}, "auto"};
-    const Request loop{160, 90, 1, {"trace.form=loop"}, "auto"};
-    const auto a = renderScene(GetParam(), literal).picture;
-    const auto b = renderScene(GetParam(), loop).picture;
-    const auto difference = compare(a, b, 0.01);
-    EXPECT_LT(difference.rmse, singlePrecisionRmse)
-        << saveForTheEye("form-" + GetParam().stem().string(), a, b);
-    EXPECT_LT(difference.over, difference.pixels / 200);
+    const auto usual = renderScene(GetParam(), {160, 90, 1, {}, "auto"}).picture;
+    for (const std::string other : {"trace.form=loop", "plan.values=uniforms", "plan.lookup=table"}) {
+        const auto picture = renderScene(GetParam(), {160, 90, 1, {other}, "auto"}).picture;
+        const auto difference = compare(usual, picture, 0.01);
+        std::cout << GetParam().stem().string() << ", " << other << ": RMSE " << difference.rmse << ", "
+                  << difference.over << " of " << difference.pixels << " pixels over 0.01\n";
+        EXPECT_LT(difference.rmse, singlePrecisionRmse)
+            << other << ": " << saveForTheEye("form-" + GetParam().stem().string(), usual, picture);
+        EXPECT_LT(difference.over, difference.pixels / 200) << other;
+    }
 }
 
 TEST_P(Gallery, EqualRuns_GiveEqualNumbers)
