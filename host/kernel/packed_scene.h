@@ -36,7 +36,7 @@ struct PackedObject {
     int moving = -1; // slot of u_moving in literal geometry, -1 for an object that stands still
 };
 
-enum class RayTree { single, chain, heaviestFirst, breadthFirst };
+enum class RayTree { single, chain, heaviestFirst, breadthFirst, depthFirst };
 
 struct PackedScene {
     std::vector<PackedObject> objects; // by object id

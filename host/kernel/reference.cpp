@@ -128,6 +128,7 @@ static vec3 pictureColour(int picture, vec2 uv, vec2 wraps, vec2 footprint)
 #include "trace/single.glsl"
 #include "trace/chain.glsl"
 #include "trace/breadth_first.glsl"
+#include "trace/depth_first.glsl"
 // clang-format on
 namespace pool_of_3
 {
@@ -153,6 +154,8 @@ static vec4 traceTree(const PackedScene& scene, const Path& eye)
         return scene.poolSlots == 4 ? pool_of_4::traceHeaviestFirst(eye) : pool_of_3::traceHeaviestFirst(eye);
     case RayTree::breadthFirst:
         return traceBreadthFirst(eye);
+    case RayTree::depthFirst:
+        return traceDepthFirst(eye);
     }
     return vec4(0.0);
 }

@@ -41,6 +41,8 @@ const char* treeFunction(RayTree tree)
         return "HeaviestFirst";
     case RayTree::breadthFirst:
         return "BreadthFirst";
+    case RayTree::depthFirst:
+        return "DepthFirst";
     }
     return "";
 }
@@ -56,6 +58,8 @@ const char* treeFile(RayTree tree)
         return "heaviest_first";
     case RayTree::breadthFirst:
         return "breadth_first";
+    case RayTree::depthFirst:
+        return "depth_first";
     }
     return "";
 }

@@ -1,5 +1,7 @@
 #include "render/planner.h"
 
+#include "scene/choices.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +15,11 @@ namespace
 // Where a shape stands among the alternatives of Primitive.
 template <typename Shape>
 const std::size_t indexOf = Primitive(Shape{}).index();
+
+std::string nameOf(TreeOrder order)
+{
+    return std::string(std::ranges::find(treeOrders, order, &NamedChoice<TreeOrder>::choice)->name);
+}
 
 } // namespace
 
@@ -128,20 +135,22 @@ void Planner::rayTree(bool sendsOn, bool refracts)
     const int nested = nesting();
     plan_.budget = sendsOn ? scene_.trace.budget.value_or(16 + 8 * std::max(0, nested - 1)) : 1;
     plan_.poolSlots = nested > 1 ? 4 : 3;
-    const bool breadthFirst = scene_.trace.order == TreeOrder::breadthFirst;
-    plan_.tree = !sendsOn       ? RayTree::single
-                 : breadthFirst ? RayTree::breadthFirst
-                 : refracts     ? RayTree::heaviestFirst
-                                : RayTree::chain;
+    const auto order = scene_.trace.order;
+    plan_.tree = !sendsOn                           ? RayTree::single
+                 : order == TreeOrder::breadthFirst ? RayTree::breadthFirst
+                 : order == TreeOrder::depthFirst   ? RayTree::depthFirst
+                 : refracts                         ? RayTree::heaviestFirst
+                                                    : RayTree::chain;
+    const std::string orderIs = std::string("trace.order is ") + nameOf(order);
     const std::string never = sendsOn ? "no surface both reflects and refracts" : "no ray is sent on";
     add("ray chain", plan_.tree == RayTree::chain, "surfaces send on one ray each",
-        sendsOn ? "a surface splits rays, or trace.order asks for a queue" : "no ray is sent on", {});
+        sendsOn ? "a surface splits rays, or trace.order asks for another tree" : "no ray is sent on", {});
     add("ray pool", plan_.tree == RayTree::heaviestFirst,
         fmt::format("{} slots: {}", plan_.poolSlots,
                     nested > 1 ? "media lie within each other" : "surfaces reflect and refract"),
-        breadthFirst && sendsOn ? "trace.order is breadth-first" : never, {});
-    add("ray queue", plan_.tree == RayTree::breadthFirst, "trace.order is breadth-first",
-        sendsOn ? "trace.order is heaviest-first" : never, {});
+        order != TreeOrder::heaviestFirst && sendsOn ? orderIs : never, {});
+    add("ray queue", plan_.tree == RayTree::breadthFirst, orderIs, sendsOn ? orderIs : never, {});
+    add("ray stack", plan_.tree == RayTree::depthFirst, orderIs, sendsOn ? orderIs : never, {});
 }
 
 } // namespace dioptre

@@ -22,6 +22,8 @@ inline constexpr std::array treeOrders{
     NamedChoice<TreeOrder>{"heaviest-first", TreeOrder::heaviestFirst,
                            "the ray that matters most next, from a pool of 3 or 4"},
     NamedChoice<TreeOrder>{"breadth-first", TreeOrder::breadthFirst, "all rays in a queue, bounce by bounce"},
+    NamedChoice<TreeOrder>{"depth-first", TreeOrder::depthFirst,
+                           "each ray to its end, the heavier of two first, the others on a stack"},
 };
 
 // [trace] form

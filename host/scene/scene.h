@@ -36,7 +36,7 @@ struct Sky {
     double exposure = 0.0;     // stops: radiance is multiplied by 2^exposure
 };
 
-enum class TreeOrder { heaviestFirst, breadthFirst };
+enum class TreeOrder { heaviestFirst, breadthFirst, depthFirst };
 enum class SceneForm { literal, loop };
 
 // 0: unlit colours, mirrors stay. 1: lights and ambient. 2: lights only: no ambient, black sky.

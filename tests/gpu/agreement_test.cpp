@@ -87,6 +87,37 @@ TEST(RayTree, HeaviestFirstAtBudget16_AgreesWithBreadthFirstAt512_OnGlass)
     EXPECT_LT(difference.rmse, 0.002) << saveForTheEye("tree-glass", a, b);
 }
 
+TEST(RayTree, EveryOrder_DrawsTheSamePicture_WhereTheBudgetHoldsTheWholeTree_OnGlass)
+{
+    // Cut-off 1/64 keeps the tree small. In each order the same rays are traced: only sums run differently.
+    const auto scene = glslFolder() / "scenes" / "glass.toml";
+    const auto drawn = [&](const std::string& order, const std::string& budget) {
+        return renderScene(scene,
+                           {64,
+                            36,
+                            1,
+                            {"trace.budget=" + budget, "trace.cut_off=0.015625", "trace.order=" + order},
+                            "auto"});
+    };
+    const auto breadth = drawn("breadth-first", "128");
+    const auto depth = drawn("depth-first", "128");
+    EXPECT_EQ(breadth.raysPerSample, depth.raysPerSample);
+    EXPECT_EQ(depth.raysPerSample, drawn("depth-first", "256").raysPerSample) << "the budget cuts";
+    EXPECT_LT(compare(breadth.picture, depth.picture, 0.01).rmse, 1.0e-5)
+        << saveForTheEye("tree-depth", depth.picture, breadth.picture);
+}
+
+TEST(RayTree, DepthFirst_InSinglePrecision_AgreesWithDouble_OnGlass)
+{
+    const auto scene = glslFolder() / "scenes" / "glass.toml";
+    const Request request{80, 45, 1, {"trace.order=depth-first"}, "auto"};
+    const auto single = renderScene(scene, request).picture;
+    const auto twice = renderDouble(scene, request);
+    const auto difference = compare(single, twice, 0.01);
+    EXPECT_LT(difference.rmse, singlePrecisionRmse) << saveForTheEye("double-depth-first", single, twice);
+    EXPECT_LT(difference.over, difference.pixels / 200);
+}
+
 TEST(Backends, EglAndOsMesa_DrawTheSamePicture)
 {
     const auto scene = glslFolder() / "scenes" / "still_life.toml";

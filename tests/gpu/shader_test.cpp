@@ -61,6 +61,7 @@ const std::vector<Overrides> variants = {
     {},
     {"trace.form=loop"},
     {"trace.order=breadth-first"},
+    {"trace.order=depth-first"},
     {"trace.light_type=0"},
     {"trace.light_type=2"},
     {"plan.values=uniforms"},

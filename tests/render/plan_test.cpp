@@ -88,6 +88,7 @@ const std::vector<Toggle> toggles = {
     {"ray queue", with("mirror = 0.5", "[trace]\norder = \"breadth-first\"\n"), {"traceBreadthFirst"}},
     {"animation", animated("camera.eye.0", "[0, 1]"), {}},
     {"moving geometry", animated("sphere.0.radius", "[1, 2]"), {"MovingBlock", "u_moving[0].anchor.w"}},
+    {"ray stack", with("mirror = 0.5", "[trace]\norder = \"depth-first\"\n"), {"traceDepthFirst"}},
     {"geometry table", with("", "[trace]\nform = \"loop\"\n"), {"ShapeBlock", "crossingOf"}},
 };
 

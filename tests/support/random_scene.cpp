@@ -65,7 +65,7 @@ std::string sky(Dice& dice)
 std::string trace(Dice& dice)
 {
     std::string text =
-        "[trace]\norder = \"" + dice.oneOf({"heaviest-first", "heaviest-first", "breadth-first"}) + "\"\n";
+        "[trace]\norder = \"" + dice.oneOf({"heaviest-first", "breadth-first", "depth-first"}) + "\"\n";
     text += fmt::format("light_type = {}\n", dice.oneOf({"0", "1", "1", "1", "2"}));
     if (dice.chance(0.5))
         text += fmt::format("budget = {}\n", 1 + dice.below(24));
