@@ -21,6 +21,7 @@
 #include "trace/light.glsl"
 #include "generated/lights.glsl"
 #include "trace/sky.glsl"
+#include "trace/lost_weight.glsl"
 #include "trace/scatter.glsl"
 #include "generated/tree.glsl"
 

@@ -15,11 +15,20 @@ vec4 traceBreadthFirst(Path eye)
             queue[waiting] = found.reflected;
             waiting += 1;
         }
+#ifdef HAS_LOST_WEIGHT
+        // A place for each ray of the budget: what finds the queue full would never be traced.
+        else
+            sum.z += weightOfWaiting(found.reflected);
+#endif
 #ifdef HAS_REFRACTION
         if (waiting < QUEUE_SLOTS && worthTracing(found.refracted)) {
             queue[waiting] = found.refracted;
             waiting += 1;
         }
+#ifdef HAS_LOST_WEIGHT
+        else
+            sum.z += weightOfWaiting(found.refracted);
+#endif
 #endif
     }
     return sum;

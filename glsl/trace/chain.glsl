@@ -12,5 +12,8 @@ vec4 traceChain(Path eye)
         if (!worthTracing(current))
             break;
     }
+#ifdef HAS_LOST_WEIGHT
+    sum.z += weightOfWaiting(current);
+#endif
     return sum;
 }

@@ -23,11 +23,23 @@ vec4 traceDepthFirst(Path eye)
             stack[waiting] = later;
             waiting += 1;
         }
+#ifdef HAS_LOST_WEIGHT
+        else
+            sum.z += weightOfWaiting(later);
+#endif
 #endif
         if (waiting < QUEUE_SLOTS && worthTracing(next)) {
             stack[waiting] = next;
             waiting += 1;
         }
+#ifdef HAS_LOST_WEIGHT
+        else
+            sum.z += weightOfWaiting(next);
+#endif
     }
+#ifdef HAS_LOST_WEIGHT
+    for (int i = 0; i < waiting; ++i)
+        sum.z += weightOfWaiting(stack[i]);
+#endif
     return sum;
 }

@@ -44,6 +44,14 @@ vec4 traceHeaviestFirst(Path eye)
             pool[i] = chosen(takes, waiting, lighter);
             waiting = chosen(takes, lighter, waiting);
         }
+#ifdef HAS_LOST_WEIGHT
+        sum.y += weightOfWaiting(waiting);
+#endif
     }
+#ifdef HAS_LOST_WEIGHT
+    sum.z += weightOfWaiting(current);
+    for (int i = 0; i < POOL_SLOTS; ++i)
+        sum.z += weightOfWaiting(pool[i]);
+#endif
     return sum;
 }

@@ -11,6 +11,9 @@ struct Path {
 #endif
 #ifdef HAS_DEPTH_LIMIT
     int bounces;
+#ifdef HAS_LOST_WEIGHT
+    float beyond_depth; // weight that the depth limit took, just after the bounce alone
+#endif
 #endif
 };
 

@@ -28,6 +28,9 @@ Path continued(Path path, Nearest hit, vec3 position, vec3 direction, vec3 weigh
     // A path beyond the depth weighs nothing, so that it never takes the place of one within.
     next.bounces = path.bounces + 1;
     next.weight = next.bounces > u_depth ? vec3(0.0) : weight;
+#ifdef HAS_LOST_WEIGHT
+    next.beyond_depth = next.bounces > u_depth ? max(weight.x, max(weight.y, weight.z)) : 0.0;
+#endif
 #endif
     return next;
 }
@@ -109,6 +112,16 @@ Scatter scatter(Path path)
 #endif
     vec3 mirrored = normalize(path.ray.direction + 2.0 * c * surface.normal);
     result.reflected = continued(path, hit, surface.position, mirrored, onward * reflection, hit.inside);
+#endif
+#endif
+#ifdef HAS_LOST_WEIGHT
+    // In place of light: see lost_weight.glsl.
+    result.radiance = vec3(0.0);
+#ifdef HAS_MIRROR_RAY
+    result.radiance += lostAtOnce(result.reflected);
+#endif
+#ifdef HAS_REFRACTION
+    result.radiance += lostAtOnce(result.refracted);
 #endif
 #endif
     return result;

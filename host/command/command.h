@@ -23,6 +23,7 @@ struct RenderOptions {
     int budget = 0;      // rays a sample; 0 leaves it to the scene
     std::vector<std::string> overrides; // path=value
     std::string backend = "auto";
+    std::string view;       // data in place of light; "" for none
     bool half = false;      // EXR in 16-bit floats
     bool reference = false; // in double precision on the CPU
     bool why = false;

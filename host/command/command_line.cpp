@@ -4,8 +4,10 @@
 #include "command/bench_options.h"
 #include "command/size_option.h"
 #include "gl/context.h"
+#include "render/data_view.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -13,6 +15,15 @@ namespace dioptre
 {
 namespace
 {
+
+// What each view shows, for --help.
+std::string viewHelp()
+{
+    std::string text = "draw data in place of light, unencoded, and print what it means:";
+    for (const auto& row : dataViews())
+        text += fmt::format("\n  {} - {}", row.name, row.shows);
+    return text + "\nsamples of a pixel are averaged, so colours mix at edges; --spp 1 keeps them apart";
+}
 
 void addRender(CLI::App& app, RenderOptions& options, std::string& size)
 {
@@ -43,6 +54,9 @@ void addRender(CLI::App& app, RenderOptions& options, std::string& size)
     command->add_option("--backend", options.backend, "where to draw")
         ->check(CLI::IsMember(backendNames()))
         ->capture_default_str();
+    command->add_option("--view", options.view, viewHelp())
+        ->check(CLI::IsMember(dataViewNames()))
+        ->type_name("VIEW");
     command->add_flag("--half", options.half, "write EXR in 16-bit floats");
     command->add_flag("--reference", options.reference,
                       "trace in double precision on the CPU, without OpenGL");

@@ -8,6 +8,7 @@
 #include "command/report.h"
 #include "kernel/reference.h"
 #include "render/still.h"
+#include "render/view_picture.h"
 #include "scene/load.h"
 
 #include <fmt/format.h>
@@ -46,13 +47,20 @@ Settings settingsOf(const RenderOptions& options, const ContextInfo& context)
     return settings;
 }
 
-void write(const RenderOptions& options, const Still& still, const ContextInfo& context, bool encode)
+// `shown`: what a PNG holds of a view, else null; an EXR holds its data.
+void write(const RenderOptions& options, const Still& still, const ContextInfo& context, bool encode,
+           const ShownView* shown)
 {
-    const auto settings = settingsOf(options, context);
+    auto settings = settingsOf(options, context);
+    if (shown != nullptr) {
+        settings["dioptre.view"] = options.view;
+        settings["dioptre.legend"] = join(shown->legend.lines, "\n");
+    }
     if (isExr(options.output))
         writeExr(options.output, still.picture, options.half ? ExrDepth::half : ExrDepth::full, settings);
     else
-        writePng(options.output, still.picture, encode, settings);
+        writePng(options.output, shown != nullptr ? shown->picture : still.picture,
+                 encode && shown == nullptr, settings);
 }
 
 // Options that would have no effect, or no sense, are refused, not passed over.
@@ -64,10 +72,14 @@ void refuseBadOptions(const RenderOptions& options, const Input& input)
     if (options.half && !isExr(options.output))
         fail(ExitCode::usage, "--half is for EXR, and " + options.output + " is a PNG",
              "name the picture FILE.exr");
-    if (input.plainShader && (options.reference || options.budget > 0 || !options.overrides.empty()))
+    if (input.plainShader &&
+        (options.reference || options.budget > 0 || !options.overrides.empty() || !options.view.empty()))
         fail(ExitCode::usage,
-             options.input + " is a plain shader, and --set, --budget and --reference are for scenes",
+             options.input + " is a plain shader, and --set, --budget, --view and --reference are for scenes",
              "leave them out");
+    if (options.reference && !options.view.empty())
+        fail(ExitCode::usage, "--reference traces light alone, and --view " + options.view + " asks for data",
+             "leave one of them out");
     if (options.reference && !options.shader.empty())
         fail(ExitCode::usage, "--reference traces without a shader, and --shader asks for one",
              "leave one of them out");
@@ -100,7 +112,8 @@ struct Rendering {
 
 Rendering renderInput(const RenderOptions& options, const Input& input)
 {
-    StillSettings settings{{options.width, options.height, options.samples, glslFolder(), pictureCache()},
+    StillSettings settings{{options.width, options.height, options.samples, glslFolder(), pictureCache(),
+                            dataViewNamed(options.view)},
                            terminalProgress(),
                            options.time_s};
     Rendering rendering;
@@ -153,7 +166,11 @@ ExitCode render(const RenderOptions& asked)
     Rendering rendering = renderInput(options, input);
     const Plan* plan = rendering.prepared ? &rendering.prepared->plan : nullptr;
     Stopwatch watch;
-    write(options, rendering.still, rendering.context, !input.plainShader);
+    std::optional<ShownView> shown;
+    if (!options.view.empty())
+        shown = shownView(rendering.still.picture, *rendering.prepared);
+    const ViewLegend* legend = shown ? &shown->legend : nullptr;
+    write(options, rendering.still, rendering.context, !input.plainShader, shown ? &*shown : nullptr);
     rendering.still.phases.write = watch.lap_ms();
     rendering.still.phases.total = whole.lap_ms();
     if (!options.shader.empty())
@@ -161,7 +178,9 @@ ExitCode render(const RenderOptions& asked)
     if (options.why)
         fmt::print("{}", whyText(plan, rendering.still));
     if (options.json)
-        fmt::print("{}", jsonText(options, rendering.still, rendering.context, plan));
+        fmt::print("{}", jsonText(options, rendering.still, rendering.context, plan, legend));
+    else if (legend != nullptr)
+        fmt::print("{}\n", join(legend->lines, "\n"));
     if (rendering.still.nonfinite > 0)
         fmt::print(stderr, "dioptre: {} pixels are not finite\n", rendering.still.nonfinite);
     fmt::print(stderr, "{}: {}x{}, {} spp, {} ({})\n", options.output, options.width, options.height,

@@ -40,6 +40,17 @@ std::string planTable(const Plan& plan)
     return text;
 }
 
+nlohmann::ordered_json viewJson(const std::string& name, const ViewLegend& legend)
+{
+    nlohmann::ordered_json json = {{"name", name}};
+    for (const auto& [figure, value] : legend.figures)
+        json[figure] = value;
+    for (const auto& object : legend.objects)
+        json["objects"].push_back(
+            {{"colour", object.colour}, {"id", object.id}, {"name", object.name}, {"kind", object.kind}});
+    return json;
+}
+
 } // namespace
 
 std::string shaderText(const Plan* plan, const Still& still)
@@ -75,7 +86,7 @@ std::string whyText(const Plan* plan, const Still& still)
 }
 
 std::string jsonText(const RenderOptions& options, const Still& still, const ContextInfo& context,
-                     const Plan* plan)
+                     const Plan* plan, const ViewLegend* legend)
 {
     const ShaderSize size = sizeOf(still.shader);
     nlohmann::ordered_json json = {
@@ -101,6 +112,8 @@ std::string jsonText(const RenderOptions& options, const Still& still, const Con
         {"blocks", still.blocks},
         {"textures", still.textures},
     };
+    if (legend != nullptr)
+        json["view"] = viewJson(options.view, *legend);
     if (plan != nullptr) {
         json["budget"] = plan->budget;
         for (const auto& feature : plan->features)

@@ -3,6 +3,7 @@
 
 #include "command/command.h"
 #include "render/still.h"
+#include "render/view_picture.h"
 
 #include <string>
 
@@ -15,8 +16,8 @@ std::string whyText(const Plan* plan, const Still& still);
 // The shader as a file of its own: the plan as its head comment, then the text that the driver got.
 std::string shaderText(const Plan* plan, const Still& still);
 
-// One JSON object; see the README for its keys.
+// One JSON object; see the README for its keys. `legend`: of a view, else null.
 std::string jsonText(const RenderOptions& options, const Still& still, const ContextInfo& context,
-                     const Plan* plan);
+                     const Plan* plan, const ViewLegend* legend);
 
 } // namespace dioptre

@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "gl/program.h"
+#include "render/literal.h"
 #include "render/lookup.h"
 #include "render/preprocess.h"
 #include "render/prune.h"
@@ -62,6 +63,29 @@ const char* treeFile(RayTree tree)
         return "depth_first";
     }
     return "";
+}
+
+// objectColour(): what the legend says.
+std::string objectColoursText(std::size_t count)
+{
+    std::vector<std::string> colours;
+    for (std::size_t object = 0; object < count; ++object) {
+        const auto [red, green, blue] = objectColour(object);
+        colours.push_back(literal(glm::dvec3(red, green, blue) / 255.0));
+    }
+    return fmt::format(
+        "// The colour that stands for an object, as in the legend.\nvec3 objectColour(int object)\n{{\n"
+        "    const vec3 colours[{0}] = vec3[{0}](\n        {1});\n    return colours[object];\n}}\n\n",
+        count, join(colours, ",\n        "));
+}
+
+// traceTree() of a view of what is met first.
+std::string firstHitText(const Plan& plan, const PackedScene& packed)
+{
+    const bool colours = plan.view == DataView::object && !packed.objects.empty();
+    return (colours ? objectColoursText(packed.objects.size()) : "") +
+           "#include \"trace/first_hit.glsl\"\n\n// What the view shows of this scene.\n"
+           "vec4 traceTree(Path eye)\n{\n    return firstHit(eye);\n}\n\n";
 }
 
 std::string treeText(RayTree tree)
@@ -141,7 +165,8 @@ SourceText assemble(const Scene& scene, const Plan& plan, const PackedScene& pac
     generate("generated/receive.glsl", receiveText(plan.shared));
     generate("generated/scene.glsl", sceneText(scene, plan, packed));
     generate("generated/lights.glsl", lightsText(packed, plan));
-    generate("generated/tree.glsl", treeText(plan.tree));
+    generate("generated/tree.glsl",
+             showsFirstHit(plan.view) ? firstHitText(plan, packed) : treeText(plan.tree));
     return assembled(packed, linesOf(readFile(main), main.string()), input);
 }
 

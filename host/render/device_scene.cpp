@@ -114,7 +114,8 @@ DeviceScene upload(const PackedScene& packed, const Plan& plan)
     append(camera, packed.camera);
     addBlock(device, "CameraBlock", camera, "cameras");
     append(sky, packed.sky);
-    addBlock(device, "SkyBlock", sky, "skies");
+    if (!showsFirstHit(plan.view))
+        addBlock(device, "SkyBlock", sky, "skies");
     appendAll(materials, packed.materials);
     if (plan.readsMaterials)
         addBlock(device, "MaterialBlock", materials, "materials");

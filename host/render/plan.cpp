@@ -28,11 +28,13 @@ std::string countOf(
 Plan Planner::make()
 {
     findUsed();
+    view();
     shapes();
-    surfaces();
-    rays();
-    lights();
-    sky();
+    const bool noLight = plan_.view != DataView::none;
+    addUnderView(&Planner::surfaces, noLight);
+    addUnderView(&Planner::rays, showsFirstHit(plan_.view));
+    addUnderView(&Planner::lights, noLight);
+    addUnderView(&Planner::sky, noLight);
     within();
     form();
     animation();
@@ -40,6 +42,34 @@ Plan Planner::make()
     values();
     gatherDefines();
     return std::move(plan_);
+}
+
+void Planner::view()
+{
+    const auto view = plan_.view;
+    std::vector<std::string> defines;
+    if (view == DataView::object)
+        defines = {"HAS_OBJECT_VIEW"};
+    if (view == DataView::depth)
+        defines = {"HAS_DEPTH_VIEW"};
+    if (view == DataView::normal)
+        defines = {"HAS_SURFACE_VIEW", "HAS_NORMAL_VIEW"};
+    if (view == DataView::uv)
+        defines = {"HAS_SURFACE_VIEW", "HAS_UV_VIEW", "HAS_COORDINATES"};
+    if (showsRayTree(view))
+        defines = {"HAS_LOST_WEIGHT"};
+    const bool in = view != DataView::none;
+    add("view", in, in ? std::string(rowOf(view).name) + ": " + rowOf(view).shows : "", "light is shown",
+        std::move(defines));
+}
+
+void Planner::addUnderView(void (Planner::*rows)(), bool byView)
+{
+    auto next = plan_.features.size();
+    (this->*rows)();
+    for (; byView && next < plan_.features.size(); ++next)
+        if (!plan_.features[next].in)
+            plan_.features[next].reason = "the view asks for none";
 }
 
 void Planner::gatherDefines()
@@ -67,8 +97,8 @@ bool Planner::canForce(const std::string& name, const std::vector<std::string>& 
 {
     static const std::set<std::string> forms = {"light loops",      "shared view",     "shared lights",
                                                 "shared materials", "moving geometry", "tinted shadows"};
-    if (scene_.plan.force != PlanChoices::Force::all || scene_.objects.empty() || defines.empty() ||
-        forms.contains(name))
+    if (scene_.plan.force != PlanChoices::Force::all || plan_.view != DataView::none ||
+        scene_.objects.empty() || defines.empty() || forms.contains(name))
         return false;
     static const std::set<std::string> ofLights = {"HAS_LIGHTS", "HAS_HIGHLIGHT", "HAS_SHADOWS",
                                                    "HAS_TINTED_SHADOWS", "HAS_LIGHT_AMBIENT"};
@@ -138,6 +168,8 @@ void Planner::shapes()
 
 bool seesDirections(const Plan& plan)
 {
+    if (showsRayTree(plan.view))
+        return plan.tree != RayTree::single;
     return plan.has("objects") || plan.has("sky gradient") || plan.has("sky picture");
 }
 
@@ -160,9 +192,9 @@ const Feature& Plan::feature(const std::string& name) const
     return *found;
 }
 
-Plan makePlan(const Scene& scene)
+Plan makePlan(const Scene& scene, DataView view)
 {
-    return Planner(scene).make();
+    return Planner(scene, view).make();
 }
 
 } // namespace dioptre

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "kernel/packed_scene.h"
+#include "render/data_view.h"
 #include "scene/scene.h"
 
 #include <set>
@@ -45,6 +46,7 @@ struct Plan {
     std::set<std::string> defines; // of all features that are in
     SceneForm form = SceneForm::literal;
     PlanChoices::Lookup lookup = PlanChoices::Lookup::selects; // never automatic
+    DataView view = DataView::none;
     RayTree tree = RayTree::single;
     int poolSlots = 3;
     int budget = 1;                     // rays a sample
@@ -66,7 +68,8 @@ struct Plan {
     }
 };
 
-// Whether the shader asks where a ray goes at all: an empty scene under a plain sky looks alike everywhere.
+// Whether the shader asks where a ray goes at all: an empty scene under a plain sky looks alike everywhere,
+// and so does the weight lost where no ray is sent on.
 bool seesDirections(const Plan& plan);
 
 // Whether an object of this material shows a picture or a pattern, and so needs coordinates.
@@ -76,7 +79,8 @@ bool wears(const Material& material);
 // lights alone mean no ambient light and a black sky.
 Scene underLightType(Scene scene);
 
-// `scene` must have gone through underLightType(). The plan of an animated scene is the same at every time.
-Plan makePlan(const Scene& scene);
+// `scene` must have gone through underLightType() and underView(). The plan of an animated scene is the same
+// at every time.
+Plan makePlan(const Scene& scene, DataView view = DataView::none);
 
 } // namespace dioptre

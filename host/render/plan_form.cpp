@@ -29,14 +29,19 @@ void Planner::form()
                    : scene_.plan.force == PlanChoices::Force::all ? Lookup::table
                    : choices <= mostSelects                       ? Lookup::selects
                                                                   : Lookup::table;
-    const bool table = plan_.lookup == Lookup::table && !empty;
+    // Which object a ray meets, and how far away, is known without a look at what it is.
+    const bool asked = !literal || (plan_.view != DataView::object && plan_.view != DataView::depth);
+    const bool table = plan_.lookup == Lookup::table && !empty && asked;
     const std::string chosen = scene_.plan.lookup != Lookup::automatic        ? "plan.lookup"
                                : scene_.plan.force == PlanChoices::Force::all ? "plan.force is all"
                                                                               : "";
     add("literal geometry", literal, "geometry as constants", "trace.form is loop", {});
-    add("surfaces by selects", !table && !empty,
+    add("surfaces by selects", !table && !empty && asked,
         chosen.empty() ? fmt::format("{} objects and materials at most", choices) : chosen,
-        empty ? "the scene is empty" : "they come from the table", {});
+        empty   ? "the scene is empty"
+        : asked ? "they come from the table"
+                : "the view does not ask for them",
+        {});
     add("geometry table", table,
         !literal         ? "trace.form is loop"
         : chosen.empty() ? fmt::format("{} objects or materials", choices)
@@ -76,7 +81,8 @@ void Planner::values()
         {"HAS_SHARED_LIGHTS"});
     const bool known = plan_.lookup == PlanChoices::Lookup::selects && !scene_.objects.empty();
     const auto read = sharedMaterials(scene_, plan_);
-    plan_.readsMaterials = plan_.has("geometry table") || !read.empty();
+    const bool asked = !showsFirstHit(plan_.view) || plan_.view == DataView::uv;
+    plan_.readsMaterials = (plan_.has("geometry table") && asked) || !read.empty();
     std::size_t placed = 0;
     if (shared && known)
         for (const auto& value : read)

@@ -56,7 +56,8 @@ void Planner::surfaces()
                     "no lit material has a pattern", {"HAS_CHECKER", "HAS_COORDINATES"});
     addForMaterials("emission", [&](const auto& m) { return onObject(m) && m.emission != glm::dvec3(0.0); },
                     "no material glows", {"HAS_EMISSION"});
-    coordinates([&](const Material& m) { return seen(m) && wears(m); });
+    const bool shown = plan_.view == DataView::uv;
+    coordinates([&](const Material& m) { return shown || (seen(m) && wears(m)); });
     for (const auto i : plan_.materials) {
         const auto& material = scene_.materials[i];
         const PictureUse use{material.image, material.encoding};
@@ -92,7 +93,9 @@ void Planner::coordinates(const std::function<bool(const Material&)>& wears)
             return object.primitive.index() == index && wears(scene_.materials[object.material]);
         });
         add(name, count > 0,
-            fmt::format("{} of them wear{} a picture or a pattern", count, count == 1 ? "s" : ""),
+            plan_.view == DataView::uv
+                ? "the view shows them"
+                : fmt::format("{} of them wear{} a picture or a pattern", count, count == 1 ? "s" : ""),
             "none of them wears a picture or a pattern", {define});
     }
 }
@@ -109,7 +112,9 @@ void Planner::rays()
     const auto absorbing = materialsWith([](const auto& m) { return m.absorption != glm::dvec3(0.0); });
     add("absorption", !absorbing.empty() && (refracts || swims), "material " + absorbing,
         absorbing.empty() ? "no medium absorbs" : "no ray gets into a medium", {"HAS_ABSORPTION"});
-    const bool sendsOn = (refracts || plan_.has("mirror")) && scene_.trace.budget.value_or(2) > 1;
+    // A view of the tree tells what a budget of one ray leaves out.
+    const bool goesOn = scene_.trace.budget.value_or(2) > 1 || showsRayTree(plan_.view);
+    const bool sendsOn = (refracts || plan_.has("mirror")) && goesOn;
     add("depth limit", sendsOn && scene_.trace.depth.has_value(), "trace.depth is set",
         sendsOn ? "trace.depth is not set" : "no ray is sent on", {"HAS_DEPTH_LIMIT"});
     rayTree(sendsOn, refracts);

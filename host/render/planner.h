@@ -12,7 +12,10 @@ namespace dioptre
 class Planner
 {
 public:
-    explicit Planner(const Scene& scene) : scene_(typicalOf(scene)) {}
+    Planner(const Scene& scene, DataView view) : scene_(typicalOf(scene))
+    {
+        plan_.view = view;
+    }
     Plan make();
 
 private:
@@ -44,6 +47,7 @@ private:
     int nesting() const;
 
     void findUsed();
+    void view();
     void shapes();
     void surfaces();
     // One row a kind of shape: whether any wears what `wears` holds for.
@@ -57,6 +61,9 @@ private:
     void within();
     void form();
     void values();
+    // Adds rows; those that are out are so for the view's sake where `byView` holds, whatever the scene
+    // holds.
+    void addUnderView(void (Planner::*rows)(), bool byView);
     void gatherDefines();
     void animation();
 

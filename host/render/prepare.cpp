@@ -22,11 +22,17 @@ void addNeutralPictures(const Plan& plan, PackedScene& packed)
 PreparedScene prepare(const Scene& scene, const ViewSettings& view)
 {
     PreparedScene prepared;
-    prepared.scene = underLightType(scene);
-    prepared.plan = makePlan(prepared.scene);
+    prepared.scene = underView(underLightType(scene), view.view);
+    prepared.plan = makePlan(prepared.scene, view.view);
     prepared.packed = pack(prepared.scene, prepared.plan, View{view.height, view.samples});
     loadPictures(prepared.scene, prepared.plan, prepared.packed, view.pictures);
     setCutOff(prepared.scene, prepared.plan, prepared.packed);
+    if (showsRayTree(view.view)) {
+        // Where the picture cuts a path hangs on its brightest light: the view looks at that very tree.
+        ViewSettings light = view;
+        light.view = DataView::none;
+        prepared.packed.cutOff = prepare(scene, light).packed.cutOff;
+    }
     addNeutralPictures(prepared.plan, prepared.packed);
     return prepared;
 }

@@ -16,11 +16,12 @@ struct ViewSettings {
     int height = 720; // pixels
     int samples = 16; // a pixel
     std::filesystem::path glslFolder;
-    PictureCache pictures{}; // none unless one is named
+    PictureCache pictures{};        // none unless one is named
+    DataView view = DataView::none; // data in place of light
 };
 
 struct PreparedScene {
-    Scene scene; // under its light type
+    Scene scene; // under its light type, and less what its view does not ask for
     Plan plan;
     PackedScene packed;
 };

@@ -61,6 +61,9 @@ long loopIterations(const Plan& plan, const PackedScene& packed)
         sample = loop(plan.budget, sample);
     if (plan.tree == RayTree::heaviestFirst)
         sample = sample + loop(packed.poolSlots);
+    // What still waits at a sample's end is counted one by one.
+    if (showsRayTree(plan.view))
+        sample = sample + loop(plan.tree == RayTree::heaviestFirst ? packed.poolSlots : plan.budget);
     return loop(1, sample).full;
 }
 

@@ -53,7 +53,8 @@ std::vector<SharedValue> sharedView(const Plan& plan)
         values.push_back({"u_resolution", 2});
         values.push_back({"u_tile_origin_px", 2});
     }
-    values.push_back({"u_sky.colour.xyz", 3});
+    if (!showsFirstHit(plan.view))
+        values.push_back({"u_sky.colour.xyz", 3});
     if (has("HAS_SKY_GRADIENT")) {
         values.push_back({"u_sky.horizon.xyz", 3});
         values.push_back({"u_sky.zenith.xyz", 3});

@@ -8,6 +8,7 @@
 #include "render/build.h"
 #include "render/preprocess.h"
 #include "render/renderer.h"
+#include "render/view_picture.h"
 
 #include <bit>
 #include <cmath>
@@ -73,6 +74,8 @@ Still renderScene(const PreparedScene& prepared, const StillSettings& settings, 
     renderer.draw(settings.progress);
     still.phases.draw = watch.lap_ms();
     still.picture = renderer.read();
+    if (settings.view != DataView::none)
+        dataFromSums(still.picture, settings.view, settings.samples);
     finish(still, 1.0F / static_cast<float>(settings.samples), 1.0 / settings.samples);
     still.phases.read = watch.lap_ms();
 

@@ -31,7 +31,8 @@ struct Phases {
 };
 
 struct Still {
-    Picture picture; // float32, mean of the samples, rows from the bottom up; a scene's alpha is 1
+    Picture
+        picture; // float32, mean of the samples, rows from the bottom up; a scene's alpha is 1; a view's data
     double raysPerSample = 0.0;
     std::size_t nonfinite = 0; // pixels with a channel that is NaN or infinite
     Phases phases;

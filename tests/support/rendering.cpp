@@ -15,7 +15,7 @@ namespace
 
 StillSettings settingsOf(const Request& request)
 {
-    return {{request.width, request.height, request.samples, glslFolder()}, {}};
+    return {{request.width, request.height, request.samples, glslFolder(), {}, request.view}, {}};
 }
 
 Still renderLoaded(const Scene& scene, const Request& request)

@@ -16,6 +16,7 @@ struct Request {
     std::vector<std::string> overrides; // as --set
     std::string backend = "auto";
     double time_s = 0.0;
+    DataView view = DataView::none;
 };
 
 // glsl/ of the sources, or $DIOPTRE_GLSL where set: mutants put their own there.
