@@ -94,7 +94,6 @@ Scatter scatter(Path path)
 #endif
     result.radiance = weight * (missed ? sky : local);
 #ifdef HAS_MIRROR_RAY
-    vec3 onward = missed ? vec3(0.0) : weight;
     float c = clamp(-dot(path.ray.direction, surface.normal), 0.0, 1.0);
     vec3 reflection = material.mirror.xyz;
 #ifdef HAS_REFRACTION
@@ -105,13 +104,13 @@ Scatter scatter(Path path)
     reflection += passing * reflectance;
     vec3 through = refractedDirection(path.ray.direction, surface.normal, c, eta, m);
     result.refracted =
-        continued(path, hit, surface.position, through, onward * (passing * (1.0 - reflectance)), !hit.inside);
+        continued(path, hit, surface.position, through, missed ? vec3(0.0) : weight * (passing * (1.0 - reflectance)), !hit.inside);
 #ifdef HAS_ABSORPTION
     result.refracted.medium = hit.inside ? int(material.absorption.w) : mediumOf(hit.object);
 #endif
 #endif
     vec3 mirrored = normalize(path.ray.direction + 2.0 * c * surface.normal);
-    result.reflected = continued(path, hit, surface.position, mirrored, onward * reflection, hit.inside);
+    result.reflected = continued(path, hit, surface.position, mirrored, missed ? vec3(0.0) : weight * reflection, hit.inside);
 #endif
 #endif
 #ifdef HAS_LOST_WEIGHT

@@ -118,7 +118,8 @@ std::string lightThroughText(const Scene& scene, const PackedScene& packed, cons
         text += commentOf(scene.objects[id], id);
         text += fmt::format("    {} *= {};\n", opaque ? "open" : "tint", factor);
     }
-    return text + (tinted ? "    return open * tint;\n}\n\n" : "    return vec3(open);\n}\n\n");
+    return text +
+           (tinted ? "    return open > 0.0 ? tint : vec3(0.0);\n}\n\n" : "    return vec3(open);\n}\n\n");
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 #include "render/planner.h"
+#include "render/shared_values.h"
 
 #include "base/text.h"
 
@@ -194,7 +195,12 @@ const Feature& Plan::feature(const std::string& name) const
 
 Plan makePlan(const Scene& scene, DataView view)
 {
-    return Planner(scene, view).make();
+    return makePlan(scene, view, mostSharedVectors);
+}
+
+Plan makePlan(const Scene& scene, DataView view, int mostShared)
+{
+    return Planner(scene, view, mostShared).make();
 }
 
 } // namespace dioptre

@@ -83,4 +83,7 @@ Scene underLightType(Scene scene);
 // at every time.
 Plan makePlan(const Scene& scene, DataView view = DataView::none);
 
+// The same with no more than so many vec4 through the vertex stage, for a device that carries fewer.
+Plan makePlan(const Scene& scene, DataView view, int mostShared);
+
 } // namespace dioptre

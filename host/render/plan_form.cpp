@@ -60,7 +60,7 @@ void Planner::values()
     const auto fits = [&](const std::vector<SharedValue>& more) {
         auto all = plan_.shared;
         all.insert(all.end(), more.begin(), more.end());
-        const bool room = vectorsOf(all) <= mostSharedVectors;
+        const bool room = vectorsOf(all) <= mostShared_;
         if (room)
             plan_.shared = std::move(all);
         return room;

@@ -12,7 +12,8 @@ namespace dioptre
 class Planner
 {
 public:
-    Planner(const Scene& scene, DataView view) : scene_(typicalOf(scene))
+    Planner(const Scene& scene, DataView view, int mostShared)
+        : scene_(typicalOf(scene)), mostShared_(mostShared)
     {
         plan_.view = view;
     }
@@ -67,7 +68,8 @@ private:
     void gatherDefines();
     void animation();
 
-    const Scene& scene_; // as it is at every time
+    const Scene& scene_;   // as it is at every time
+    const int mostShared_; // vec4 through the vertex stage
     Plan plan_;
     bool lit_ = false; // some surface shows light that falls on it
 };

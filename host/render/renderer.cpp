@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "render/build.h"
+#include "render/shared_values.h"
 
 #include <algorithm>
 
@@ -16,12 +17,21 @@ void setSamples(const Program& program, const SampleBatch& batch)
     glUniform1i(locationOf(program, "u_sample_count"), batch.count);
 }
 
+Plan fitting(const PreparedScene& prepared)
+{
+    const int most = sharedVectorsOfContext();
+    return vectorsOf(prepared.plan.shared) <= most ? prepared.plan
+                                                   : makePlan(prepared.scene, prepared.plan.view, most);
+}
+
 } // namespace
 
 Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, const ContextInfo& context)
-    : prepared_(prepared), view_(view)
+    : prepared_(prepared), plan_(fitting(prepared)), view_(view)
 {
-    const auto& [scene, plan, packed] = prepared;
+    const Scene& scene = prepared.scene;
+    const PackedScene& packed = prepared.packed;
+    const Plan& plan = plan_;
     Stopwatch watch;
     batches_ = sampleBatches(view.samples, loopIterations(plan, packed), context.software);
     shader_ = assemble(scene, plan, packed, view.glslFolder);

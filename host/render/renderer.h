@@ -55,6 +55,7 @@ public:
 
 private:
     const PreparedScene& prepared_;
+    Plan plan_; // the prepared one, cut to what this device carries
     ViewSettings view_;
     std::vector<SampleBatch> batches_;
     SourceText shader_;

@@ -153,6 +153,16 @@ TEST(SharedValues, WhereAllHaveRoom_NoPixelReadsTheBlock)
     }
 }
 
+TEST(SharedValues, OnADeviceThatCarriesFewer_StayWithinThat)
+{
+    // OpenGL 3.3 promises 60 components of varyings: 15 vec4.
+    const Scene scene = underLightType(parseScene(balls(12, shiny), "text.toml"));
+    const Plan plan = makePlan(scene, DataView::none, 15);
+    EXPECT_GT(vectorsOf(makePlan(scene).shared), 15);
+    EXPECT_LE(vectorsOf(plan.shared), 15);
+    EXPECT_TRUE(plan.has("shared view"));
+}
+
 TEST(SharedValues, AsUniforms_NothingTravels)
 {
     const auto shader = assembled("[plan]\nvalues = \"uniforms\"\n" + balls(2, shiny));
