@@ -2,6 +2,7 @@
 #include "command/command.h"
 #include "command/input.h"
 #include "gl/context.h"
+#include "render/data_view.h"
 #include "scene/choices.h"
 #include "scene/load.h"
 
@@ -48,11 +49,20 @@ Rows namesIn(const Table& table)
     return rows;
 }
 
+Rows views()
+{
+    Rows rows;
+    for (const auto& row : dataViews())
+        rows.push_back({{"name", row.name}, {"meaning", row.shows}});
+    return rows;
+}
+
 std::vector<Section> sections()
 {
     return {{"scenes", scenes()},
             {"orders", namesIn(treeOrders)},
             {"forms", namesIn(sceneForms)},
+            {"views", views()},
             {"backends", namesIn(backendChoices())}};
 }
 

@@ -81,7 +81,7 @@ TEST(ListCommand, Text_HasOneLineForEachName)
 {
     const auto out = run("dioptre list").out;
     for (const char* line :
-         {"scenes\n", "orders\n", "forms\n", "backends\n", "  heaviest-first  ", "10 objects\n"})
+         {"scenes\n", "orders\n", "forms\n", "views\n", "backends\n", "  heaviest-first  ", "10 objects\n"})
         EXPECT_NE(out.find(line), std::string::npos) << line << " not in\n" << out;
 }
 
