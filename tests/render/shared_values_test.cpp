@@ -31,6 +31,9 @@ Assembled assembled(const std::string& toml)
     return result;
 }
 
+// So many materials would be read from the table, which knows no shared ones.
+const std::string bySelects = "[plan]\nlookup = \"selects\"\n";
+
 // A row of balls, each of a material of its own.
 std::string balls(int count, const std::string& material)
 {
@@ -115,7 +118,7 @@ TEST(SharedValues, AreReceivedFromWhereTheyWereSent)
 TEST(SharedValues, OfManyMaterials_FillTheirRoomAndOverlapNowhere)
 {
     for (const auto& material : {shiny, tinted}) {
-        const auto plan = assembled(balls(24, material)).plan;
+        const auto plan = assembled(bySelects + balls(24, material)).plan;
         EXPECT_EQ(vectorsOf(plan.shared), mostSharedVectors);
         std::set<std::string> taken; // components: "v_shared[3].x"
         std::istringstream statements(shareStatements(plan.shared));
@@ -135,7 +138,7 @@ TEST(SharedValues, OfManyMaterials_FillTheirRoomAndOverlapNowhere)
 TEST(SharedValues, WhatHasNoRoom_IsReadFromItsBlock)
 {
     for (const auto& material : {shiny, tinted}) {
-        const auto shader = assembled(balls(24, material));
+        const auto shader = assembled(bySelects + balls(24, material));
         expectAllReceived(shader);
         EXPECT_TRUE(shader.plan.has("shared materials"));
         EXPECT_NE(partedAtReceive(shader.fragment).second.find("u_materials[23]."), std::string::npos);
@@ -156,7 +159,7 @@ TEST(SharedValues, WhereAllHaveRoom_NoPixelReadsTheBlock)
 TEST(SharedValues, OnADeviceThatCarriesFewer_StayWithinThat)
 {
     // OpenGL 3.3 promises 60 components of varyings: 15 vec4.
-    const Scene scene = underLightType(parseScene(balls(12, shiny), "text.toml"));
+    const Scene scene = underLightType(parseScene(bySelects + balls(12, shiny), "text.toml"));
     const Plan plan = makePlan(scene, DataView::none, 15);
     EXPECT_GT(vectorsOf(makePlan(scene).shared), 15);
     EXPECT_LE(vectorsOf(plan.shared), 15);
