@@ -46,7 +46,7 @@ vec3 wallTint(Crossing crossing, float distance, Material material)
     return crossing.found && crossing.t < distance ? material.shadow_tint.xyz : vec3(1.0);
 }
 
-#ifdef HAS_ABSORPTION
+#ifdef HAS_SHADOW_ABSORPTION
 // Beer-Lambert over a chord, relative to the medium around, whose own chord holds this one: above 1 for a clear bubble in
 // dark glass. The exponent is held where its exponential is finite.
 vec3 chordTransmittance(Material material, float chord)
@@ -64,7 +64,7 @@ vec3 solidTint(Span span, Ray ray, int object, float distance, Material material
     float leave = min(span.far, distance);
     bool passes = (startsWithin || span.found) && leave > enter && ray.from != 2 * object;
     vec3 tint = material.shadow_tint.xyz;
-#ifdef HAS_ABSORPTION
+#ifdef HAS_SHADOW_ABSORPTION
     tint *= chordTransmittance(material, max(leave - enter, 0.0));
 #endif
     return passes ? tint : vec3(1.0);
@@ -75,7 +75,7 @@ vec3 planeTint(Crossing crossing, Ray ray, float distance, vec3 point, vec3 norm
 {
     bool crosses = crossing.found && crossing.t < distance;
     vec3 tint = crosses ? material.shadow_tint.xyz : vec3(1.0);
-#ifdef HAS_ABSORPTION
+#ifdef HAS_SHADOW_ABSORPTION
     float middle_t = 0.5 * (crosses ? crossing.t : distance);
     bool startsBehind = dot(ray.origin + middle_t * ray.direction - point, normal) < 0.0;
     float behind = startsBehind ? 2.0 * middle_t : (crosses ? distance - crossing.t : 0.0);

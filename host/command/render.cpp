@@ -144,6 +144,24 @@ Rendering renderInput(const RenderOptions& options, const Input& input)
     return rendering;
 }
 
+// What was drawn by, where a device drew it; null for a plain shader.
+const Plan* planOf(const Rendering& rendering)
+{
+    if (!rendering.prepared)
+        return nullptr;
+    return rendering.still.parts.empty() ? &rendering.prepared->plan : &rendering.still.parts.back().plan;
+}
+
+// The fullest shader as `path`; those of lesser parts of the picture beside it, as "NAME-1.frag" and so on.
+void writeShaders(const std::filesystem::path& path, const Plan* plan, const Still& still)
+{
+    for (std::size_t i = 0; i + 1 < still.parts.size(); ++i) {
+        const auto name = fmt::format("{}-{}{}", path.stem().string(), i + 1, path.extension().string());
+        writeFile(path.parent_path() / name, shaderText(&still.parts[i].plan, still.parts[i].shader));
+    }
+    writeFile(path, shaderText(plan, still.shader));
+}
+
 } // namespace
 
 ExitCode render(const RenderOptions& asked)
@@ -164,7 +182,7 @@ ExitCode render(const RenderOptions& asked)
     if (!options.shader.empty())
         PendingFile{options.shader};
     Rendering rendering = renderInput(options, input);
-    const Plan* plan = rendering.prepared ? &rendering.prepared->plan : nullptr;
+    const Plan* plan = planOf(rendering);
     Stopwatch watch;
     std::optional<ShownView> shown;
     if (!options.view.empty())
@@ -174,7 +192,7 @@ ExitCode render(const RenderOptions& asked)
     rendering.still.phases.write = watch.lap_ms();
     rendering.still.phases.total = whole.lap_ms();
     if (!options.shader.empty())
-        writeFile(options.shader, shaderText(plan, rendering.still));
+        writeShaders(options.shader, plan, rendering.still);
     if (options.why)
         fmt::print("{}", whyText(plan, rendering.still));
     if (options.json)

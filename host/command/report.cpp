@@ -40,6 +40,24 @@ std::string planTable(const Plan& plan)
     return text;
 }
 
+// "everything 61 % in 3 rectangles, 1 of 10 objects 39 % in 12"
+std::string partsText(const std::vector<DrawnPart>& parts)
+{
+    std::vector<std::string> texts;
+    for (const auto& part : parts)
+        texts.push_back(fmt::format("{} {:.1f} % in {} rectangle{}", part.name, 100.0 * part.share,
+                                    part.rectangles, part.rectangles == 1 ? "" : "s"));
+    return join(texts, "; ");
+}
+
+nlohmann::ordered_json partsJson(const std::vector<DrawnPart>& parts)
+{
+    auto json = nlohmann::ordered_json::array();
+    for (const auto& part : parts)
+        json.push_back({{"sees", part.name}, {"share", part.share}, {"rectangles", part.rectangles}});
+    return json;
+}
+
 nlohmann::ordered_json viewJson(const std::string& name, const ViewLegend& legend)
 {
     nlohmann::ordered_json json = {{"name", name}};
@@ -53,7 +71,7 @@ nlohmann::ordered_json viewJson(const std::string& name, const ViewLegend& legen
 
 } // namespace
 
-std::string shaderText(const Plan* plan, const Still& still)
+std::string shaderText(const Plan* plan, const SourceText& shader)
 {
     std::string text;
     if (plan != nullptr) {
@@ -61,7 +79,7 @@ std::string shaderText(const Plan* plan, const Still& still)
         for (const auto& line : linesOf(planTable(*plan), ""))
             text += "//   " + line.text + "\n";
     }
-    return text + flatten(still.shader);
+    return text + flatten(shader);
 }
 
 std::string whyText(const Plan* plan, const Still& still)
@@ -76,6 +94,8 @@ std::string whyText(const Plan* plan, const Still& still)
     const ShaderSize size = sizeOf(still.shader);
     text += fmt::format("shader    {} characters, {} lines, {} functions\n", size.characters, size.lines,
                         size.functions);
+    if (!still.parts.empty())
+        text += fmt::format("parts     {}\n", partsText(still.parts));
     text += fmt::format("textures  {} ({:.1f} MiB)\n", orNone(still.textures),
                         static_cast<double>(still.textureBytes) / (1024.0 * 1024.0));
     text += fmt::format("uniforms  {}\n", orNone(still.uniforms));
@@ -115,6 +135,7 @@ std::string jsonText(const RenderOptions& options, const Still& still, const Con
     if (legend != nullptr)
         json["view"] = viewJson(options.view, *legend);
     if (plan != nullptr) {
+        json["parts"] = partsJson(still.parts);
         json["budget"] = plan->budget;
         for (const auto& feature : plan->features)
             json["plan"].push_back(

@@ -14,7 +14,7 @@ namespace dioptre
 std::string whyText(const Plan* plan, const Still& still);
 
 // The shader as a file of its own: the plan as its head comment, then the text that the driver got.
-std::string shaderText(const Plan* plan, const Still& still);
+std::string shaderText(const Plan* plan, const SourceText& shader);
 
 // One JSON object; see the README for its keys. `legend`: of a view, else null.
 std::string jsonText(const RenderOptions& options, const Still& still, const ContextInfo& context,

@@ -56,6 +56,7 @@ namespace reference
 #define HAS_BLINN
 #define HAS_SHADOWS
 #define HAS_TINTED_SHADOWS
+#define HAS_SHADOW_ABSORPTION
 #define HAS_SKY_GRADIENT
 #define HAS_SKY_PICTURE
 #define SHAPE_COUNT u_shape_count

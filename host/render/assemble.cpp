@@ -99,7 +99,7 @@ std::string treeText(RayTree tree)
 // lightsReflected() as one call a light, or nothing where loops in trace/light.glsl do it.
 std::string lightsText(const PackedScene& packed, const Plan& plan)
 {
-    if (packed.lights.empty() || plan.has("light loops"))
+    if (plan.placedLights.size() + plan.glowing.size() == 0 || plan.has("light loops"))
         return "";
     std::string text =
         "// Radiance towards the viewer from every light.\n"

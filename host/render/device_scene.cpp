@@ -112,22 +112,52 @@ DeviceScene upload(const PackedScene& packed, const Plan& plan)
     DeviceScene device;
     std::vector<float> camera, sky, materials, lights;
     append(camera, packed.camera);
-    addBlock(device, "CameraBlock", camera, "cameras");
     append(sky, packed.sky);
-    if (!showsFirstHit(plan.view))
-        addBlock(device, "SkyBlock", sky, "skies");
     appendAll(materials, packed.materials);
-    if (plan.readsMaterials)
-        addBlock(device, "MaterialBlock", materials, "materials");
     appendAll(lights, packed.lights);
-    if (!packed.lights.empty())
-        addBlock(device, "LightBlock", lights, "lights");
-    if (plan.has("geometry table"))
-        addBlock(device, "ShapeBlock", shapeValues(packed), "objects, which this shader reads from a table,");
-    if (plan.has("moving geometry"))
-        addBlock(device, "MovingBlock", movingValues(packed), "objects that move");
+    for (const auto& name : plannedBlocks(plan)) {
+        if (name == "CameraBlock")
+            addBlock(device, name, camera, "cameras");
+        else if (name == "SkyBlock")
+            addBlock(device, name, sky, "skies");
+        else if (name == "MaterialBlock")
+            addBlock(device, name, materials, "materials");
+        else if (name == "LightBlock")
+            addBlock(device, name, lights, "lights");
+        else if (name == "ShapeBlock")
+            addBlock(device, name, shapeValues(packed), "objects, which this shader reads from a table,");
+        else
+            addBlock(device, name, movingValues(packed), "objects that move");
+    }
     uploadTextures(device, plan, packed);
     return device;
+}
+
+std::vector<std::string> plannedBlocks(const Plan& plan)
+{
+    std::vector<std::string> names = {"CameraBlock"};
+    if (!showsFirstHit(plan.view))
+        names.emplace_back("SkyBlock");
+    if (plan.readsMaterials)
+        names.emplace_back("MaterialBlock");
+    if (!plan.placedLights.empty() || !plan.glowing.empty())
+        names.emplace_back("LightBlock");
+    if (plan.has("geometry table"))
+        names.emplace_back("ShapeBlock");
+    if (plan.has("moving geometry"))
+        names.emplace_back("MovingBlock");
+    return names;
+}
+
+std::vector<std::string> plannedTextures(const Plan& plan, const PackedScene& packed)
+{
+    std::vector<std::string> names;
+    if (plan.has("picture"))
+        for (const auto& group : sampledGroups(plan, packed))
+            names.push_back(group.uniform);
+    if (plan.has("sky picture"))
+        names.emplace_back("u_sky_picture");
+    return names;
 }
 
 std::vector<std::string> plannedUniforms(const Plan& plan)
@@ -146,18 +176,16 @@ std::vector<std::string> plannedUniforms(const Plan& plan)
     return names;
 }
 
-void checkInterface(const Program& program, const DeviceScene& device, const Plan& plan)
+void checkInterface(const Program& program, const PackedScene& packed, const Plan& plan)
 {
+    // One list for all: their names never meet.
     auto uniforms = plannedUniforms(plan);
-    for (const auto& texture : device.textures)
-        uniforms.push_back(texture.uniform);
-    std::vector<std::string> blocks;
-    for (const auto& block : device.blocks)
-        blocks.push_back(block.block);
+    for (const auto& name : plannedTextures(plan, packed))
+        uniforms.push_back(name);
+    for (const auto& name : plannedBlocks(plan))
+        uniforms.push_back(name);
     auto activeUniforms = keysOf(program.uniforms);
     const auto activeBlocks = keysOf(program.uniformBlocks);
-    // One list for both: their names never meet.
-    uniforms.insert(uniforms.end(), blocks.begin(), blocks.end());
     activeUniforms.insert(activeUniforms.end(), activeBlocks.begin(), activeBlocks.end());
     const std::string unread = missing(uniforms, activeUniforms);
     const std::string unfed = missing(activeUniforms, uniforms);
@@ -182,14 +210,19 @@ void bind(const Program& program, const DeviceScene& device, const PackedScene& 
     glUseProgram(program.name.name());
     GLuint binding = 0;
     for (const auto& block : device.blocks) {
-        glUniformBlockBinding(program.name.name(), program.uniformBlocks.at(block.block), binding);
+        const auto index = program.uniformBlocks.find(block.block);
+        if (index == program.uniformBlocks.end())
+            continue;
+        glUniformBlockBinding(program.name.name(), index->second, binding);
         glBindBufferBase(GL_UNIFORM_BUFFER, binding++, block.buffer.name());
     }
     GLint unit = 0;
     for (const auto& texture : device.textures) {
+        if (locationOf(program, texture.uniform) < 0)
+            continue;
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
         glBindTexture(texture.target, texture.texture.name());
-        glUniform1i(program.uniforms.at(texture.uniform), unit++);
+        glUniform1i(locationOf(program, texture.uniform), unit++);
     }
     const auto locate = [&](const char* name) { return locationOf(program, name); };
     glUniform2f(locate("u_resolution"), static_cast<float>(width), static_cast<float>(height));

@@ -42,18 +42,20 @@ BlockCapacity capacityOf(std::size_t blockBytes);
 // Uploads what the plan needs and nothing else.
 DeviceScene upload(const PackedScene& packed, const Plan& plan);
 
-// Uniforms outside blocks that the plan needs.
+// What a plan's program reads: uniforms outside blocks, blocks, and textures.
 std::vector<std::string> plannedUniforms(const Plan& plan);
+std::vector<std::string> plannedBlocks(const Plan& plan);
+std::vector<std::string> plannedTextures(const Plan& plan, const PackedScene& packed);
 
 // Compares the program's active uniforms and blocks with the plan's, both ways: a difference is a fault in
 // dioptre or in an edited shader. Throws badInput naming each.
-void checkInterface(const Program& program, const DeviceScene& device, const Plan& plan);
+void checkInterface(const Program& program, const PackedScene& packed, const Plan& plan);
 
 // Where an active uniform is; -1, which OpenGL ignores, where the scene does not need it.
 GLint locationOf(const Program& program, const std::string& name);
 
-// Makes the program current, binds buffers and textures, and sets every uniform that stays the same between
-// draws.
+// Makes the program current, binds those buffers and textures that it reads, and sets every uniform that
+// stays the same between draws.
 void bind(const Program& program, const DeviceScene& device, const PackedScene& packed, int width,
           int height);
 

@@ -74,6 +74,8 @@ std::string nearestHitText(const Scene& scene, const PackedScene& packed, const 
     std::string text = "// The first object that the ray meets.\n"
                        "Nearest nearestHit(Ray ray)\n{\n    Nearest nearest = nothingYet();\n";
     for (std::size_t id = 0; id < packed.objects.size(); ++id) {
+        if (!plan.seen[id])
+            continue;
         text += commentOf(scene.objects[id], id);
         text += fmt::format("    nearest = nearer(nearest, {}, {});\n",
                             crossingOf(packed.objects[id], plan, id), id);

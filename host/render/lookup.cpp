@@ -100,17 +100,17 @@ ShapeParts partsOf(int kind, bool worn)
 }
 
 // One row of Shape: its xyz and its w apart, for they matter to different objects.
-std::string rowSelects(const PackedScene& packed, const ShapeRow& row,
+std::string rowSelects(const PackedScene& packed, const Plan& plan, const ShapeRow& row,
                        const std::function<bool(std::size_t)>& needsXyz,
                        const std::function<bool(std::size_t)>& needsW)
 {
     using Value = std::optional<std::string>;
     const auto count = packed.objects.size();
     const auto xyz = [&](std::size_t id) {
-        return needsXyz(id) ? Value(rowText(packed.objects[id], row, ".xyz")) : Value();
+        return plan.seen[id] && needsXyz(id) ? Value(rowText(packed.objects[id], row, ".xyz")) : Value();
     };
     const auto w = [&](std::size_t id) {
-        return needsW(id) ? Value(rowText(packed.objects[id], row, ".w")) : Value();
+        return plan.seen[id] && needsW(id) ? Value(rowText(packed.objects[id], row, ".w")) : Value();
     };
     return fmt::format("    shape.{0}.xyz = {1};\n    shape.{0}.w = {2};\n", row.name,
                        selectText("object", count, xyz, "vec3(0.0)"), selectText("object", count, w, "0.0"));
@@ -124,7 +124,7 @@ std::string shapeText(const Scene& scene, const PackedScene& packed, const Plan&
     };
     const auto row = [&](const ShapeRow& which, bool ShapeParts::*xyz, bool ShapeParts::*w) {
         return rowSelects(
-            packed, which, [&](std::size_t id) { return parts(id).*xyz; },
+            packed, plan, which, [&](std::size_t id) { return parts(id).*xyz; },
             [&](std::size_t id) { return parts(id).*w; });
     };
     return "// What is read of an object's geometry once it is met.\nShape shapeOf(int object)\n{\n    Shape "
@@ -136,10 +136,12 @@ std::string shapeText(const Scene& scene, const PackedScene& packed, const Plan&
            "    return shape;\n}\n\n";
 }
 
-std::string intFunction(const char* comment, const char* name, const PackedScene& packed,
+std::string intFunction(const char* comment, const char* name, const PackedScene& packed, const Plan& plan,
                         int PackedObject::*member)
 {
     const auto value = [&](std::size_t id) -> std::optional<std::string> {
+        if (!plan.seen[id])
+            return std::nullopt;
         return fmt::format("{}", packed.objects[id].*member);
     };
     return fmt::format("// {}\nint {}(int object)\n{{\n    return {};\n}}\n\n", comment, name,
@@ -150,11 +152,11 @@ std::string intFunction(const char* comment, const char* name, const PackedScene
 
 std::string lookupText(const Scene& scene, const PackedScene& packed, const Plan& plan)
 {
-    if (packed.objects.empty())
+    if (!plan.has("objects"))
         return absorptionText(scene, plan);
-    return intFunction("An object's KIND_.", "kindOf", packed, &PackedObject::kind) +
+    return intFunction("An object's KIND_.", "kindOf", packed, plan, &PackedObject::kind) +
            shapeText(scene, packed, plan) +
-           intFunction("Index of an object's material.", "mediumOf", packed, &PackedObject::material) +
+           intFunction("Index of an object's material.", "mediumOf", packed, plan, &PackedObject::material) +
            materialText(scene, plan) + absorptionText(scene, plan);
 }
 

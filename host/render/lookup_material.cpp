@@ -58,6 +58,8 @@ std::string choice(const std::string& index, const Scene& scene, const Plan& pla
     return selectText(
         index, plan.materials.size(),
         [&](std::size_t i) -> std::optional<std::string> {
+            if (!plan.seenMaterials[i])
+                return std::nullopt;
             const bool own = value.holds(scene.materials[plan.materials[i]]);
             return own ? materialValue(plan, i, value.target) : value.rest;
         },
@@ -71,7 +73,7 @@ std::string modelText(const Scene& scene, const Plan& plan)
         "medium", plan.materials.size(),
         [&](std::size_t i) -> std::optional<std::string> {
             const auto& material = scene.materials[plan.materials[i]];
-            if (material.specular == glm::dvec3(0.0))
+            if (!plan.seenMaterials[i] || material.specular == glm::dvec3(0.0))
                 return std::nullopt;
             return literal(static_cast<double>(modelOf(material.model)));
         },
@@ -84,6 +86,8 @@ std::string pictureText(const Scene& scene, const Plan& plan)
     return selectText(
         "medium", plan.materials.size(),
         [&](std::size_t i) -> std::optional<std::string> {
+            if (!plan.seenMaterials[i])
+                return std::nullopt;
             const auto& material = scene.materials[plan.materials[i]];
             const auto found =
                 std::ranges::find(plan.pictures, PictureUse{material.image, material.encoding});
@@ -120,16 +124,23 @@ std::string absorptionText(const Scene& scene, const Plan& plan)
         return "";
     const Value value{"absorption.xyz", "", [](const Material& m) { return m.absorption != glm::dvec3(0.0); },
                       "vec3(0.0)"};
+    const auto chosen = selectText(
+        "medium", plan.materials.size(),
+        [&](std::size_t i) -> std::optional<std::string> {
+            const bool own = value.holds(scene.materials[plan.materials[i]]);
+            return own ? materialValue(plan, i, value.target) : value.rest;
+        },
+        value.rest);
     return fmt::format(
         "// Per metre of the medium with that index; -1 is air.\nvec3 absorptionOf(int medium)\n{{\n"
         "    return medium < 0 ? vec3(0.0)\n        : {};\n}}\n\n",
-        choice("medium", scene, plan, value));
+        chosen);
 }
 
 std::string shadowMaterial(const Plan& plan, std::size_t i)
 {
     const bool shared = isShared(plan, fmt::format("u_materials[{}].shadow_tint.xyz", i)) &&
-                        (!plan.defines.contains("HAS_ABSORPTION") ||
+                        (!plan.defines.contains("HAS_SHADOW_ABSORPTION") ||
                          isShared(plan, fmt::format("u_materials[{}].shadow_absorption.xyz", i)));
     return fmt::format("{}_materials[{}]", shared ? "shared" : "u", i);
 }
@@ -147,7 +158,7 @@ std::vector<SharedValue> sharedMaterials(const Scene& scene, const Plan& plan)
         const auto& material = scene.materials[plan.materials[i]];
         if (plan.defines.contains("HAS_TINTED_SHADOWS") && material.transmit > 0.0) {
             add(i, "shadow_tint.xyz");
-            if (absorbs)
+            if (plan.defines.contains("HAS_SHADOW_ABSORPTION"))
                 add(i, "shadow_absorption.xyz");
         }
         if (absorbs && material.absorption != glm::dvec3(0.0))
@@ -155,7 +166,8 @@ std::vector<SharedValue> sharedMaterials(const Scene& scene, const Plan& plan)
     }
     for (const auto& value : valuesRead())
         for (std::size_t i = 0; i < plan.materials.size(); ++i)
-            if (plan.defines.contains(value.define) && value.holds(scene.materials[plan.materials[i]]))
+            if (plan.seenMaterials[i] && plan.defines.contains(value.define) &&
+                value.holds(scene.materials[plan.materials[i]]))
                 add(i, value.target);
     return values;
 }

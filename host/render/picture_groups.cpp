@@ -115,9 +115,18 @@ std::vector<PictureGroup> pictureGroups(const Plan& plan, const PackedScene& pac
     return groups;
 }
 
+std::vector<PictureGroup> sampledGroups(const Plan& plan, const PackedScene& packed)
+{
+    auto groups = pictureGroups(plan, packed);
+    std::erase_if(groups, [&](const PictureGroup& group) {
+        return std::ranges::none_of(group.pictures, [&](auto picture) { return plan.sampled.at(picture); });
+    });
+    return groups;
+}
+
 std::string picturesText(const Plan& plan, const PackedScene& packed)
 {
-    const auto groups = pictureGroups(plan, packed);
+    const auto groups = sampledGroups(plan, packed);
     std::string text;
     for (const auto& group : groups) {
         const Size size = sizeOf(packed, group.pictures.front());

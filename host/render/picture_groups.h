@@ -22,6 +22,9 @@ struct PictureGroup {
 // on which it is smaller, or would leave more than three quarters of its layer empty.
 std::vector<PictureGroup> pictureGroups(const Plan& plan, const PackedScene& packed);
 
+// Those that hold a picture that the plan's shader samples.
+std::vector<PictureGroup> sampledGroups(const Plan& plan, const PackedScene& packed);
+
 // The samplers, and pictureColour().
 std::string picturesText(const Plan& plan, const PackedScene& packed);
 

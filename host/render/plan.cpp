@@ -101,8 +101,9 @@ bool Planner::canForce(const std::string& name, const std::vector<std::string>& 
     if (scene_.plan.force != PlanChoices::Force::all || plan_.view != DataView::none ||
         scene_.objects.empty() || defines.empty() || forms.contains(name))
         return false;
-    static const std::set<std::string> ofLights = {"HAS_LIGHTS", "HAS_HIGHLIGHT", "HAS_SHADOWS",
-                                                   "HAS_TINTED_SHADOWS", "HAS_LIGHT_AMBIENT"};
+    static const std::set<std::string> ofLights = {
+        "HAS_LIGHTS",         "HAS_HIGHLIGHT",         "HAS_SHADOWS",
+        "HAS_TINTED_SHADOWS", "HAS_SHADOW_ABSORPTION", "HAS_LIGHT_AMBIENT"};
     const bool dark = plan_.placedLights.empty() && plan_.glowing.empty();
     if (dark && std::ranges::any_of(defines, [&](const auto& define) { return ofLights.contains(define); }))
         return false;
@@ -138,6 +139,8 @@ void Planner::findUsed()
             if (scene_.materials[i].outside)
                 used.insert(*scene_.materials[i].outside);
     plan_.materials = {used.begin(), used.end()};
+    for (const auto i : plan_.materials)
+        plan_.seenMaterials.push_back(isSeen(scene_.materials[i]));
     for (std::size_t i = 0; i < scene_.objects.size(); ++i)
         if (scene_.materials[scene_.objects[i].material].light)
             plan_.glowing.push_back(i);
@@ -154,8 +157,8 @@ void Planner::addForShape(const std::string& name, const std::string& count, std
 
 void Planner::shapes()
 {
-    add("objects", !scene_.objects.empty(), fmt::format("{} in all", scene_.objects.size()),
-        "the scene is empty", {"HAS_OBJECTS"});
+    add("objects", !seesNothing(), fmt::format("{} in all", std::ranges::count(plan_.seen, true)),
+        scene_.objects.empty() ? "the scene is empty" : "none is seen", {"HAS_OBJECTS"});
     addForShape("sphere", countOf<Sphere>(scene_), {"HAS_SPHERE", "HAS_ROUND_SHAPE"});
     addForShape("open cylinder", countOf<Cylinder>(scene_, [](const auto& c) { return !c.capped; }),
                 {"HAS_CYLINDER", "HAS_OPEN_CYLINDER", "HAS_ROUND_SHAPE"});
@@ -198,9 +201,9 @@ Plan makePlan(const Scene& scene, DataView view)
     return makePlan(scene, view, mostSharedVectors);
 }
 
-Plan makePlan(const Scene& scene, DataView view, int mostShared)
+Plan makePlan(const Scene& scene, DataView view, int mostShared, std::vector<bool> seen)
 {
-    return Planner(scene, view, mostShared).make();
+    return Planner(scene, view, mostShared, std::move(seen)).make();
 }
 
 } // namespace dioptre

@@ -54,7 +54,10 @@ struct Plan {
     std::vector<std::size_t>
         placedLights; // directional, point and spot lights of Scene::lights that shine, by kind
     std::vector<std::size_t> glowing;    // objects that light the scene
-    std::vector<PictureUse> pictures;    // those that are sampled, each once
+    std::vector<bool> seen;              // by object; those unseen stand in the light's way alone
+    std::vector<bool> seenMaterials;     // by place in materials: whether a seen object is of it
+    std::vector<PictureUse> pictures;    // of all objects, seen or not, each once
+    std::vector<bool> sampled;           // by picture: whether a seen object wears it; as long as the next
     std::vector<Repeats> pictureRepeats; // by picture; one more than pictures where the plan forces one in
     bool padPictures = true;             // whether smaller pictures share the array of larger ones
     std::vector<SharedValue> shared;     // what comes through the vertex stage
@@ -83,7 +86,9 @@ Scene underLightType(Scene scene);
 // at every time.
 Plan makePlan(const Scene& scene, DataView view = DataView::none);
 
-// The same with no more than so many vec4 through the vertex stage, for a device that carries fewer.
-Plan makePlan(const Scene& scene, DataView view, int mostShared);
+// The same with no more than so many vec4 through the vertex stage, for a device that carries fewer; and for
+// a part of the picture where rays meet the seen objects alone. Its materials, lights and pictures have the
+// places that they have in the whole picture's plan.
+Plan makePlan(const Scene& scene, DataView view, int mostShared, std::vector<bool> seen = {});
 
 } // namespace dioptre

@@ -11,7 +11,7 @@ namespace
 
 // Up to so many objects or materials a chain of selects is no slower than a gather from a table: even at the
 // still life's 10, 14 % slower at the 12 of glass.
-constexpr std::size_t mostSelects = 10;
+constexpr std::ptrdiff_t mostSelects = 10;
 
 // Up to so many lights each has code of its own; beyond, one loop for each kind.
 constexpr std::size_t mostLightsInLine = 4;
@@ -23,8 +23,9 @@ void Planner::form()
     using Lookup = PlanChoices::Lookup;
     plan_.form = scene_.trace.form;
     const bool literal = plan_.form == SceneForm::literal;
-    const bool empty = scene_.objects.empty();
-    const std::size_t choices = std::max(scene_.objects.size(), plan_.materials.size());
+    const bool empty = seesNothing();
+    const auto choices =
+        std::max(std::ranges::count(plan_.seen, true), std::ranges::count(plan_.seenMaterials, true));
     plan_.lookup = !literal                                       ? Lookup::table
                    : scene_.plan.lookup != Lookup::automatic      ? scene_.plan.lookup
                    : scene_.plan.force == PlanChoices::Force::all ? Lookup::table
@@ -80,7 +81,7 @@ void Planner::values()
         : inLine      ? "no room for them in the vertex stage's outputs"
                       : "loops read them from a block",
         {"HAS_SHARED_LIGHTS"});
-    const bool known = plan_.lookup == PlanChoices::Lookup::selects && !scene_.objects.empty();
+    const bool known = plan_.lookup == PlanChoices::Lookup::selects && !seesNothing();
     const auto read = sharedMaterials(scene_, plan_);
     const bool asked = !showsFirstHit(plan_.view) || plan_.view == DataView::uv;
     plan_.readsMaterials = (plan_.has("geometry table") && asked) || !read.empty();

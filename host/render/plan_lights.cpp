@@ -29,7 +29,7 @@ void Planner::lights()
     const auto typeIs = fmt::format("trace.light_type is {}", static_cast<int>(type));
     add("unlit colours", type == LightType::unlit, typeIs + ": one ambient light stands for all", typeIs, {});
     add("lights alone", type == LightType::lightsOnly, typeIs + ": no ambient light, black sky", typeIs, {});
-    const bool shows = !materialsWith([this](const auto& m) { return onObject(m) && hasLocal(m); }).empty();
+    const bool shows = !materialsWith([this](const auto& m) { return isSeen(m) && hasLocal(m); }).empty();
     lit_ = shows && anythingShines();
     using Kind = Light::Kind;
     add("local shading", lit_, "some surface shows light that falls on it",
@@ -67,7 +67,7 @@ void Planner::highlights(bool anyLight)
 {
     const auto with = [this](ReflectanceModel model) {
         return [this, model](const Material& m) {
-            return onObject(m) && hasLocal(m) && m.model == model && m.specular != glm::dvec3(0.0);
+            return isSeen(m) && hasLocal(m) && m.model == model && m.specular != glm::dvec3(0.0);
         };
     };
     const auto addModel = [&](const std::string& name, ReflectanceModel model, const std::string& define) {
@@ -91,6 +91,12 @@ void Planner::shadows(bool anyLight)
     });
     add("tinted shadows", anyLight && !tinting.empty(), "material " + tinting,
         anyLight ? "nothing transparent casts a shadow" : "no light to shade", {"HAS_TINTED_SHADOWS"});
+    const auto absorbing = materialsWith([this](const auto& m) { return m.absorption != glm::dvec3(0.0); });
+    add("absorption in shadows", anyLight && !tinting.empty() && !absorbing.empty(), "material " + absorbing,
+        !anyLight         ? "no light to shade"
+        : tinting.empty() ? "nothing transparent casts a shadow"
+                          : "no medium absorbs",
+        {"HAS_SHADOW_ABSORPTION"});
 }
 
 void Planner::sky()

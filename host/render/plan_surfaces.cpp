@@ -30,8 +30,21 @@ bool wears(const Material& material)
 
 bool Planner::onObject(const Material& material) const
 {
-    return std::any_of(scene_.objects.begin(), scene_.objects.end(),
-                       [&](const Object& o) { return &scene_.materials[o.material] == &material; });
+    return std::ranges::any_of(scene_.objects,
+                               [&](const Object& o) { return &scene_.materials[o.material] == &material; });
+}
+
+bool Planner::isSeen(const Material& material) const
+{
+    for (std::size_t id = 0; id < scene_.objects.size(); ++id)
+        if (plan_.seen[id] && &scene_.materials[scene_.objects[id].material] == &material)
+            return true;
+    return false;
+}
+
+bool Planner::seesNothing() const
+{
+    return std::ranges::count(plan_.seen, true) == 0;
 }
 
 bool Planner::hasLocal(const Material& material)
@@ -49,29 +62,39 @@ bool Planner::anythingShines() const
 void Planner::surfaces()
 {
     const bool lit = anythingShines();
-    const auto seen = [this, lit](const Material& m) { return lit && onObject(m) && hasLocal(m); };
-    addForMaterials("picture", [&](const auto& m) { return seen(m) && !m.image.empty(); },
+    const auto shows = [this, lit](const Material& m) { return lit && isSeen(m) && hasLocal(m); };
+    addForMaterials("picture", [&](const auto& m) { return shows(m) && !m.image.empty(); },
                     "no lit material has an image", {"HAS_PICTURES", "HAS_COORDINATES"});
-    addForMaterials("checker", [&](const auto& m) { return seen(m) && m.checker; },
+    addForMaterials("checker", [&](const auto& m) { return shows(m) && m.checker; },
                     "no lit material has a pattern", {"HAS_CHECKER", "HAS_COORDINATES"});
-    addForMaterials("emission", [&](const auto& m) { return onObject(m) && m.emission != glm::dvec3(0.0); },
+    addForMaterials("emission", [&](const auto& m) { return isSeen(m) && m.emission != glm::dvec3(0.0); },
                     "no material glows", {"HAS_EMISSION"});
     const bool shown = plan_.view == DataView::uv;
-    coordinates([&](const Material& m) { return shown || (seen(m) && wears(m)); });
+    coordinates([&](const Material& m) { return shown || (shows(m) && wears(m)); });
+    pictures();
+}
+
+void Planner::pictures()
+{
     for (const auto i : plan_.materials) {
         const auto& material = scene_.materials[i];
         const PictureUse use{material.image, material.encoding};
-        if (seen(material) && !material.image.empty() && std::ranges::count(plan_.pictures, use) == 0)
+        if (anythingShines() && onObject(material) && hasLocal(material) && !material.image.empty() &&
+            std::ranges::count(plan_.pictures, use) == 0)
             plan_.pictures.push_back(use);
     }
     plan_.padPictures = scene_.plan.pictures != PlanChoices::Pictures::apart;
     plan_.pictureRepeats.resize(plan_.pictures.size() + 1);
-    for (const auto& object : scene_.objects) {
+    plan_.sampled.resize(plan_.pictures.size() + 1, plan_.pictures.empty());
+    for (std::size_t id = 0; id < scene_.objects.size(); ++id) {
+        const auto& object = scene_.objects[id];
         const auto& material = scene_.materials[object.material];
         const auto found = std::ranges::find(plan_.pictures, PictureUse{material.image, material.encoding});
         if (found == plan_.pictures.end())
             continue;
-        auto& repeats = plan_.pictureRepeats[static_cast<std::size_t>(found - plan_.pictures.begin())];
+        const auto picture = static_cast<std::size_t>(found - plan_.pictures.begin());
+        plan_.sampled[picture] = plan_.sampled[picture] || plan_.seen[id];
+        auto& repeats = plan_.pictureRepeats[picture];
         const bool plane = std::holds_alternative<Plane>(object.primitive);
         repeats.u = repeats.u || plane || std::holds_alternative<Sphere>(object.primitive) ||
                     std::holds_alternative<Cylinder>(object.primitive);
@@ -89,9 +112,12 @@ void Planner::coordinates(const std::function<bool(const Material&)>& wears)
         {"rectangle coordinates", indexOf<Rectangle>, "HAS_RECTANGLE_COORDINATES"},
         {"triangle coordinates", indexOf<Triangle>, "HAS_TRIANGLE_COORDINATES"}};
     for (const auto& [name, kind, define] : kinds) {
-        const auto count = std::ranges::count_if(scene_.objects, [&, index = kind](const Object& object) {
-            return object.primitive.index() == index && wears(scene_.materials[object.material]);
-        });
+        std::size_t count = 0;
+        for (std::size_t id = 0; id < scene_.objects.size(); ++id) {
+            const auto& object = scene_.objects[id];
+            const bool wearing = object.primitive.index() == kind && wears(scene_.materials[object.material]);
+            count += plan_.seen[id] && wearing ? 1 : 0;
+        }
         add(name, count > 0,
             plan_.view == DataView::uv
                 ? "the view shows them"
@@ -102,10 +128,10 @@ void Planner::coordinates(const std::function<bool(const Material&)>& wears)
 
 void Planner::rays()
 {
-    addForMaterials("mirror", [&](const auto& m) { return onObject(m) && m.mirror > 0.0; },
+    addForMaterials("mirror", [&](const auto& m) { return isSeen(m) && m.mirror > 0.0; },
                     "no material mirrors", {"HAS_MIRROR_RAY"});
     addForMaterials("refraction",
-                    [&](const auto& m) { return onObject(m) && m.transmit > 0.0 && m.mirror < 1.0; },
+                    [&](const auto& m) { return isSeen(m) && m.transmit > 0.0 && m.mirror < 1.0; },
                     "no material transmits light", {"HAS_MIRROR_RAY", "HAS_REFRACTION"});
     const bool refracts = plan_.has("refraction");
     const bool swims = scene_.camera.inside.has_value();

@@ -12,10 +12,12 @@ namespace dioptre
 class Planner
 {
 public:
-    Planner(const Scene& scene, DataView view, int mostShared)
+    // `seen` by object, or empty: all are.
+    Planner(const Scene& scene, DataView view, int mostShared, std::vector<bool> seen)
         : scene_(typicalOf(scene)), mostShared_(mostShared)
     {
         plan_.view = view;
+        plan_.seen = seen.empty() ? std::vector<bool>(scene_.objects.size(), true) : std::move(seen);
     }
     Plan make();
 
@@ -35,8 +37,11 @@ private:
     std::string materialsWith(const std::function<bool(const Material&)>& holds) const;
     std::string lightsWith(const std::function<bool(const Light&)>& holds) const;
 
-    // Materials of objects alone: a medium around the camera has no surface.
+    // Whether an object is of this material: a medium around the camera has no surface. And whether one is
+    // that rays meet.
     bool onObject(const Material& material) const;
+    bool isSeen(const Material& material) const;
+    bool seesNothing() const;
 
     // Whether anything but mirrored and transmitted light is seen of a surface.
     static bool hasLocal(const Material& material);
@@ -51,6 +56,7 @@ private:
     void view();
     void shapes();
     void surfaces();
+    void pictures();
     // One row a kind of shape: whether any wears what `wears` holds for.
     void coordinates(const std::function<bool(const Material&)>& wears);
     void rays();

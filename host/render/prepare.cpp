@@ -17,6 +17,14 @@ void addNeutralPictures(const Plan& plan, PackedScene& packed)
         packed.sky_picture.push_back(white);
 }
 
+std::vector<PicturePart> partsOf(const PreparedScene& prepared, const ViewSettings& view)
+{
+    if (cutsPicture(prepared.scene, prepared.plan,
+                    static_cast<long>(view.width) * view.height * view.samples))
+        return pictureParts(prepared.scene, prepared.plan, view.width, view.height);
+    return {wholePicture(prepared.plan, view.width, view.height)};
+}
+
 } // namespace
 
 PreparedScene prepare(const Scene& scene, const ViewSettings& view)
@@ -34,6 +42,7 @@ PreparedScene prepare(const Scene& scene, const ViewSettings& view)
         prepared.packed.cutOff = prepare(scene, light).packed.cutOff;
     }
     addNeutralPictures(prepared.plan, prepared.packed);
+    prepared.parts = partsOf(prepared, view);
     return prepared;
 }
 

@@ -3,7 +3,7 @@
 
 #include "base/picture_cache.h"
 #include "kernel/packed_scene.h"
-#include "render/plan.h"
+#include "render/picture_parts.h"
 
 #include <filesystem>
 
@@ -24,6 +24,7 @@ struct PreparedScene {
     Scene scene; // under its light type, and less what its view does not ask for
     Plan plan;
     PackedScene packed;
+    std::vector<PicturePart> parts; // of the picture, one of them "everything"
 };
 
 // Throws badInput and inputMissing for faults in the scene's numbers and pictures.

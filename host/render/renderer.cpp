@@ -17,35 +17,44 @@ void setSamples(const Program& program, const SampleBatch& batch)
     glUniform1i(locationOf(program, "u_sample_count"), batch.count);
 }
 
-Plan fitting(const PreparedScene& prepared)
+// The plan for what the part shows, and with no more through the vertex stage than the device carries.
+Plan planFor(const PreparedScene& prepared, const PicturePart& part)
 {
-    const int most = sharedVectorsOfContext();
-    return vectorsOf(prepared.plan.shared) <= most ? prepared.plan
-                                                   : makePlan(prepared.scene, prepared.plan.view, most);
+    const int most = std::min(mostSharedVectors, sharedVectorsOfContext());
+    const Plan& whole = prepared.plan;
+    if (part.seen == whole.seen && vectorsOf(whole.shared) <= most)
+        return whole;
+    return makePlan(prepared.scene, whole.view, most, part.seen);
 }
 
 } // namespace
 
 Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, const ContextInfo& context)
-    : prepared_(prepared), plan_(fitting(prepared)), view_(view)
+    : prepared_(prepared), view_(view)
 {
-    const Scene& scene = prepared.scene;
     const PackedScene& packed = prepared.packed;
-    const Plan& plan = plan_;
     Stopwatch watch;
-    batches_ = sampleBatches(view.samples, loopIterations(plan, packed), context.software);
-    shader_ = assemble(scene, plan, packed, view.glslFolder);
-    device_ = upload(packed, plan);
+    // The same for all parts, so that the samples of every pixel add up in the same order.
+    batches_ = sampleBatches(view.samples, loopIterations(prepared.plan, packed), context.software);
+    for (const auto& part : prepared.parts) {
+        const Plan plan = planFor(prepared, part);
+        parts_.push_back({part, plan, assemble(prepared.scene, plan, packed, view.glslFolder), {}});
+    }
+    device_ = upload(packed, planFor(prepared, wholePicture(prepared.plan, view.width, view.height)));
     target_ = makeAccumulationTarget(view.width, view.height);
     times_.load = watch.lap_ms();
 
-    program_ = buildProgram(shader_, assembleVertex(plan, packed, view.glslFolder));
-    checkInterface(program_, device_, plan);
+    for (auto& part : parts_) {
+        part.program = buildProgram(part.shader, assembleVertex(part.plan, packed, view.glslFolder));
+        checkInterface(part.program, packed, part.plan);
+    }
     times_.compile = watch.lap_ms();
 
-    bind(program_, device_, packed, view.width, view.height);
-    setSamples(program_, {0, 0}); // adds nothing, yet makes the driver compile
-    drawAdding(target_, 0, 0, 1, 1);
+    for (const auto& part : parts_) {
+        bind(part.program, device_, packed, view.width, view.height);
+        setSamples(part.program, {0, 0}); // adds nothing, yet makes the driver compile
+        drawAdding(target_, 0, 0, 1, 1);
+    }
     glFinish();
     times_.firstDraw = watch.lap_ms();
 }
@@ -56,27 +65,30 @@ void Renderer::draw(const std::function<void(double)>& progress)
     glFinish();
 }
 
-// Tiles bound the time of a draw, batches its loop iterations.
+// Rectangles bound the time of a draw, batches its loop iterations.
 void Renderer::submit(const std::function<void(double)>& progress)
 {
-    constexpr int tile_px = 512;
-    const int columns = (view_.width + tile_px - 1) / tile_px;
-    const int rows = (view_.height + tile_px - 1) / tile_px;
-    const double total = static_cast<double>(batches_.size()) * columns * rows;
+    constexpr int most_px = 512;
+    const double total = static_cast<double>(batches_.size()) * view_.width * view_.height;
     double done = 0.0;
+    const auto drawRectangle = [&](const PixelRectangle& r) {
+        drawAdding(target_, r.x, r.y, r.width, r.height);
+        if (!progress)
+            return;
+        glFinish();
+        done += static_cast<double>(r.width) * r.height;
+        progress(done / total);
+    };
     clear(target_);
-    bind(program_, device_, prepared_.packed, view_.width, view_.height);
-    for (const auto& batch : batches_) {
-        setSamples(program_, batch);
-        for (int y = 0; y < view_.height; y += tile_px) {
-            for (int x = 0; x < view_.width; x += tile_px) {
-                drawAdding(target_, x, y, std::min(tile_px, view_.width - x),
-                           std::min(tile_px, view_.height - y));
-                if (progress) {
-                    glFinish();
-                    progress(++done / total);
-                }
-            }
+    for (const auto& part : parts_) {
+        bind(part.program, device_, prepared_.packed, view_.width, view_.height);
+        for (const auto& batch : batches_) {
+            setSamples(part.program, batch);
+            for (const auto& r : part.part.rectangles)
+                for (int y = 0; y < r.height; y += most_px)
+                    for (int x = 0; x < r.width; x += most_px)
+                        drawRectangle({r.x + x, r.y + y, std::min(most_px, r.width - x),
+                                       std::min(most_px, r.height - y)});
         }
     }
 }

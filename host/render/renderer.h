@@ -19,6 +19,14 @@ struct BuildTimes {
     double firstDraw = 0.0; // one pixel: drivers compile here
 };
 
+// A part of the picture with its own plan and program.
+struct PartProgram {
+    PicturePart part;
+    Plan plan; // for this part, cut to what this device carries
+    SourceText shader;
+    Program program;
+};
+
 class Renderer
 {
 public:
@@ -40,28 +48,23 @@ public:
     {
         return times_;
     }
-    const SourceText& shader() const
+    // What each part of the picture is drawn by, the fullest last.
+    const std::vector<PartProgram>& parts() const
     {
-        return shader_;
+        return parts_;
     }
     const DeviceScene& device() const
     {
         return device_;
     }
-    const Program& program() const
-    {
-        return program_;
-    }
 
 private:
     const PreparedScene& prepared_;
-    Plan plan_; // the prepared one, cut to what this device carries
     ViewSettings view_;
     std::vector<SampleBatch> batches_;
-    SourceText shader_;
+    std::vector<PartProgram> parts_;
     DeviceScene device_;
     AccumulationTarget target_;
-    Program program_;
     BuildTimes times_;
 };
 

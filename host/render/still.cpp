@@ -46,6 +46,19 @@ SourceText withoutVersion(SourceText source)
     return source;
 }
 
+std::vector<DrawnPart> drawnParts(const Renderer& renderer, const ViewSettings& view)
+{
+    std::vector<DrawnPart> parts;
+    for (const auto& program : renderer.parts()) {
+        double pixels = 0.0;
+        for (const auto& r : program.part.rectangles)
+            pixels += static_cast<double>(r.width) * r.height;
+        parts.push_back({program.part.name, pixels / view.width / view.height, program.part.rectangles.size(),
+                         program.plan, program.shader});
+    }
+    return parts;
+}
+
 } // namespace
 
 void finish(Still& still, float scale, double raysScale)
@@ -79,12 +92,14 @@ Still renderScene(const PreparedScene& prepared, const StillSettings& settings, 
     finish(still, 1.0F / static_cast<float>(settings.samples), 1.0 / settings.samples);
     still.phases.read = watch.lap_ms();
 
-    still.shader = renderer.shader();
+    const PartProgram& fullest = renderer.parts().back();
+    still.shader = fullest.shader;
+    still.uniforms = keysOf(fullest.program.uniforms);
+    still.blocks = keysOf(fullest.program.uniformBlocks);
+    still.parts = drawnParts(renderer, settings);
     still.textureBytes = renderer.device().textureBytes;
     for (const auto& texture : renderer.device().textures)
         still.textures.push_back(texture.uniform);
-    still.uniforms = keysOf(renderer.program().uniforms);
-    still.blocks = keysOf(renderer.program().uniformBlocks);
     return still;
 }
 

@@ -30,13 +30,23 @@ struct Phases {
     double total = 0.0;     // of the whole command; the context's end is part of it and of no phase above
 };
 
+// A part of the picture that had a program of its own.
+struct DrawnPart {
+    std::string name;   // as PicturePart
+    double share = 0.0; // of the pixels, 0..1
+    std::size_t rectangles = 0;
+    Plan plan; // as cut to what the device carries
+    SourceText shader;
+};
+
 struct Still {
     Picture
         picture; // float32, mean of the samples, rows from the bottom up; a scene's alpha is 1; a view's data
     double raysPerSample = 0.0;
     std::size_t nonfinite = 0; // pixels with a channel that is NaN or infinite
     Phases phases;
-    SourceText shader;
+    SourceText shader;            // of the fullest part
+    std::vector<DrawnPart> parts; // the fullest last; empty where no device drew a scene
     std::size_t textureBytes = 0;
     std::vector<std::string> textures; // sampler uniforms in use
     std::vector<std::string> uniforms; // active, outside blocks

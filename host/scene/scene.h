@@ -59,10 +59,12 @@ struct PlanChoices {
     enum class Lookup { automatic, selects, table };
     enum class Within { automatic, always };
     enum class Pictures { automatic, apart };
+    enum class Tiles { automatic, on, off };
     Force force = Force::none;               // all: every feature in, whether the scene needs it or not
     Values values = Values::automatic;       // how materials, lights and camera reach a pixel
     Pictures pictures = Pictures::automatic; // apart: only pictures of one size share an array
     Within within = Within::automatic; // always: every solid is asked from within, though no ray gets there
+    Tiles tiles = Tiles::automatic; // whether parts of the picture that show less have programs of their own
     Lookup lookup = Lookup::automatic; // how the nearest object's surface is looked up
 };
 

@@ -1,9 +1,11 @@
 // The assembled shaders themselves: valid by an independent compiler, and nothing in them that is not used.
+#include "support/declarations.h"
 #include "support/process.h"
 #include "support/rendering.h"
 
 #include "base/file.h"
 #include "render/device_scene.h"
+#include "render/shared_values.h"
 #include "scene/load.h"
 
 #include <gtest/gtest.h>
@@ -11,11 +13,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 
 using namespace dioptre;
 using namespace dioptre::test;
@@ -37,6 +37,20 @@ Stages assembled(const std::filesystem::path& scene, const Overrides& overrides)
     const auto prepared = prepare(loadScene(scene, overrides), settings);
     return {flatten(assemble(prepared.scene, prepared.plan, prepared.packed, settings.glslFolder)),
             flatten(assembleVertex(prepared.plan, prepared.packed, settings.glslFolder))};
+}
+
+// Of each part of a picture that has a program of its own.
+std::vector<Stages> assembledParts(const std::filesystem::path& scene)
+{
+    const ViewSettings settings{320, 180, 1, glslFolder()};
+    const auto prepared = prepare(loadScene(scene, {"plan.tiles=on"}), settings);
+    std::vector<Stages> stages;
+    for (const auto& part : prepared.parts) {
+        const Plan plan = makePlan(prepared.scene, DataView::none, mostSharedVectors, part.seen);
+        stages.push_back({flatten(assemble(prepared.scene, plan, prepared.packed, settings.glslFolder)),
+                          flatten(assembleVertex(plan, prepared.packed, settings.glslFolder))});
+    }
+    return stages;
 }
 
 class GalleryShader : public testing::TestWithParam<std::filesystem::path>
@@ -97,120 +111,6 @@ std::string complaints(const std::map<std::string, std::string>& shaders)
     const auto outcome = run(command);
     std::filesystem::remove_all(folder);
     return outcome.code == 0 ? "" : "exit code " + std::to_string(outcome.code) + "\n" + outcome.out;
-}
-
-// The lines without their comments. The tests read the text on their own, not by the pruner that is under
-// test.
-std::vector<std::string> codeLines(const std::string& shader)
-{
-    std::vector<std::string> lines;
-    std::istringstream stream(shader);
-    for (std::string line; std::getline(stream, line);)
-        lines.push_back(line.substr(0, line.find("//")));
-    return lines;
-}
-
-std::vector<std::string> wordsOf(const std::string& text)
-{
-    std::vector<std::string> words;
-    bool within = false;
-    for (const char c : text) {
-        const bool isWord = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-        if (isWord && !within)
-            words.emplace_back();
-        if (isWord)
-            words.back() += c;
-        within = isWord;
-    }
-    return words;
-}
-
-// A declaration at file scope. It starts in the first column, and ends where a line of it ends with ';' or
-// '}' in or before that column's bracket.
-struct Declaration {
-    std::set<std::string> names; // what it declares; a block declares its members
-    std::string text;
-    bool isFunction = false;
-};
-
-Declaration declarationOf(const std::string& text)
-{
-    Declaration result{{}, text, false};
-    const auto words = wordsOf(text);
-    const auto bracket = text.find_first_of("({");
-    if (text.starts_with("layout")) {
-        std::istringstream members(text.substr(text.find('{')));
-        for (std::string line; std::getline(members, line);)
-            if (const auto found = wordsOf(line); found.size() >= 2)
-                result.names.insert(found[1]);
-        return result;
-    }
-    static const std::set<std::string> qualifiers = {"uniform", "const", "out", "in", "flat"};
-    std::size_t name = text.starts_with("#define") || text.starts_with("struct") ? 1 : 0;
-    while (qualifiers.contains(words[name]))
-        ++name;
-    name += text.starts_with("#define") || text.starts_with("struct") ? 0 : 1;
-    result.names = {words[name]};
-    result.isFunction = bracket != std::string::npos && text[bracket] == '(' && text.ends_with("}\n");
-    return result;
-}
-
-std::vector<Declaration> declarationsOf(const std::string& shader)
-{
-    std::vector<Declaration> declarations;
-    std::string text;
-    for (const auto& line : codeLines(shader)) {
-        const bool blank = line.find_first_not_of(' ') == std::string::npos;
-        if (blank || line.starts_with("#version"))
-            continue;
-        text += line + '\n';
-        const auto last = line[line.find_last_not_of(' ')];
-        const bool open = text.find('{') != std::string::npos && !line.starts_with('}');
-        if (line.starts_with('#') || (!open && (last == ';' || last == '}'))) {
-            declarations.push_back(declarationOf(text));
-            text.clear();
-        }
-    }
-    EXPECT_EQ(text, "") << "the last declaration does not end";
-    return declarations;
-}
-
-// Functions that main() reaches by calls.
-std::set<std::string> reachedFromMain(const std::map<std::string, std::set<std::string>>& mentioned)
-{
-    std::set<std::string> reached = {"main"};
-    std::vector<std::string> open = {"main"};
-    while (!open.empty()) {
-        const auto names = mentioned.at(open.back());
-        open.pop_back();
-        for (const auto& name : names)
-            if (mentioned.contains(name) && reached.insert(name).second)
-                open.push_back(name);
-    }
-    return reached;
-}
-
-// Names of a shader's declarations that nothing but themselves and receiveShared() mentions; of a block, the
-// names of all its members if none is mentioned.
-std::set<std::string> unusedNames(const std::string& shader)
-{
-    const auto declarations = declarationsOf(shader);
-    std::map<std::string, int> mentions; // declarations that hold the name
-    for (const auto& declaration : declarations) {
-        const auto words = wordsOf(declaration.text);
-        const bool receives = declaration.names.contains("receiveShared");
-        for (const auto& word : std::set<std::string>(words.begin(), words.end()))
-            mentions[word] += receives && word != "v_shared" && word != "receiveShared" ? 0 : 1;
-    }
-    std::set<std::string> unused;
-    for (const auto& declaration : declarations) {
-        const bool output = declaration.text.starts_with("out ") || declaration.text.starts_with("flat out ");
-        const auto& names = declaration.names;
-        if (!output && !names.contains("main") &&
-            std::ranges::none_of(names, [&](const auto& name) { return mentions[name] > 1; }))
-            unused.insert(names.begin(), names.end());
-    }
-    return unused;
 }
 
 } // namespace
@@ -285,6 +185,21 @@ TEST_P(GalleryShader, ActiveUniforms_AreThoseOfThePlan)
     // renderScene() compares both ways and throws where they differ.
     for (const auto& overrides : variants)
         EXPECT_NO_THROW(test::renderScene(GetParam(), {16, 9, 1, overrides, "auto"}));
+}
+
+TEST_P(GalleryShader, PartsOfThePicture_HaveValidShadersWithNothingUnused)
+{
+    std::map<std::string, std::string> shaders;
+    const auto parts = assembledParts(GetParam());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto name = std::to_string(i);
+        shaders[name + ".frag"] = parts[i].fragment;
+        shaders[name + ".vert"] = parts[i].vertex;
+        shaders[name + "-es.frag"] = asEs(parts[i].fragment);
+        shaders[name + "-es.vert"] = asEs(parts[i].vertex);
+        EXPECT_EQ(unusedNames(parts[i].fragment), std::set<std::string>()) << parts[i].fragment;
+    }
+    EXPECT_EQ(complaints(shaders), "");
 }
 
 TEST_P(GalleryShader, Text_IsTheSameEachTime)

@@ -81,6 +81,7 @@ const std::vector<Toggle> toggles = {
     {"Blinn highlight", with("model = \"blinn\"\nspecular = [1, 1, 1]", point), {"blinnLobe", "cosinePower"}},
     {"shadows", with("", point), {"lightThrough"}},
     {"tinted shadows", with("transmit = 0.5", point), {"solidTint"}},
+    {"absorption in shadows", with("transmit = 0.5\nabsorption = [1, 0, 0]", point), {"chordTransmittance"}},
     {"sky gradient", with("", "[sky]\ngradient = [[0, 0, 0], [1, 1, 1], [0, 0, 1]]\n"), {"u_sky.horizon"}},
     {"sky picture", with("", "[sky]\nimage = \"sky.exr\"\n"), {"u_sky_picture", "latLong"}},
     {"depth limit", with("mirror = 0.5", "[trace]\ndepth = 3\n"), {"u_depth", "bounces"}},

@@ -1,0 +1,46 @@
+// Which objects each tile of a picture may show, and the parts of the picture for which less of the shader
+// will do: where the eye sees the sky alone, or a few objects that send no ray on, nothing else is asked for
+// but to cast shadows.
+#pragma once
+
+#include "render/plan.h"
+
+#include <string>
+#include <vector>
+
+namespace dioptre
+{
+
+// Pixels [x, x + width) x [y, y + height), from the picture's lower left corner.
+struct PixelRectangle {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
+struct PicturePart {
+    std::string name;                       // "sky", "2 of 10 objects", "everything"
+    std::vector<bool> seen;                 // by object: whether it may be seen there
+    std::vector<PixelRectangle> rectangles; // in whole tiles, but for the picture's right and upper edge
+};
+
+// Of tiles: their sides, in pixels. Halved, they gain nothing more on llvmpipe.
+inline constexpr int partTile_px = 32;
+
+// By tile, row by row from the lower left, and by object: whether an eye ray of the tile may meet it. Errs
+// towards yes: by a quarter of a pixel, and by what floats lose.
+std::vector<std::vector<bool>> seenInTiles(const Scene& scene, int width, int height);
+
+// The picture cut into parts, no pixel left out and none in two; the last is "everything", and may be all
+// there is. Each other one is at least an eighth of the tiles, so that it outweighs a program of its own.
+std::vector<PicturePart> pictureParts(const Scene& scene, const Plan& plan, int width, int height);
+
+PicturePart wholePicture(const Plan& plan, int width, int height);
+
+// Whether the picture is cut: plan.tiles is on, or auto and so many samples are drawn in all that the
+// programs are worth their compilation. Never where the scene is animated, in a table, forced or viewed as
+// data.
+bool cutsPicture(const Scene& scene, const Plan& plan, long samples);
+
+} // namespace dioptre
