@@ -59,6 +59,7 @@ private:
     void highlights(bool anyLight);
     void shadows(bool anyLight);
     void sky();
+    void longitudes(); // after surfaces and sky, which ask for them
     void within();
     void form();
     void values();

@@ -11,7 +11,8 @@ PlanChoices readPlan(const Table& document)
     const Value* section = find(document, "plan");
     if (!section)
         return plan;
-    const TableReader reader(*section, "[plan]", {"force", "values", "lookup", "within", "pictures"});
+    const TableReader reader(*section, "[plan]",
+                             {"force", "values", "lookup", "within", "pictures", "arctangent"});
     using Force = PlanChoices::Force;
     using Values = PlanChoices::Values;
     using Lookup = PlanChoices::Lookup;
@@ -27,6 +28,9 @@ PlanChoices readPlan(const Table& document)
     using Pictures = PlanChoices::Pictures;
     reader.choice<Pictures>("pictures", plan.pictures,
                             {{"auto", Pictures::automatic}, {"apart", Pictures::apart}});
+    using Arctangent = PlanChoices::Arctangent;
+    reader.choice<Arctangent>("arctangent", plan.arctangent,
+                              {{"auto", Arctangent::automatic}, {"built-in", Arctangent::builtIn}});
     return plan;
 }
 

@@ -66,6 +66,7 @@ const std::vector<Overrides> variants = {
     {"trace.light_type=2"},
     {"plan.values=uniforms"},
     {"plan.lookup=table"},
+    {"plan.arctangent=built-in"},
 };
 
 std::string nameOf(const Overrides& overrides)

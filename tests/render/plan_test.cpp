@@ -83,6 +83,7 @@ const std::vector<Toggle> toggles = {
     {"tinted shadows", with("transmit = 0.5", point), {"solidTint"}},
     {"sky gradient", with("", "[sky]\ngradient = [[0, 0, 0], [1, 1, 1], [0, 0, 1]]\n"), {"u_sky.horizon"}},
     {"sky picture", with("", "[sky]\nimage = \"sky.exr\"\n"), {"u_sky_picture", "latLong"}},
+    {"arctangent by polynomial", with("", "[sky]\nimage = \"sky.exr\"\n"), {"0.999996126"}},
     {"depth limit", with("mirror = 0.5", "[trace]\ndepth = 3\n"), {"u_depth", "bounces"}},
     {"solids seen from within", with("transmit = 0.5"), {"sphereCrossing"}},
     {"ray queue", with("mirror = 0.5", "[trace]\norder = \"breadth-first\"\n"), {"traceBreadthFirst"}},
@@ -169,4 +170,20 @@ TEST(Plan, NestedMedia_GetALargerBudgetAndPool)
                           .plan;
     EXPECT_EQ(plan.budget, 24);
     EXPECT_EQ(plan.poolSlots, 4);
+}
+
+TEST(Plan, ArctangentBuiltIn_LeavesThePolynomialOut)
+{
+    const std::string sky = "[sky]\nimage = \"sky.exr\"\n";
+    const std::string builtIn = "[plan]\narctangent = \"built-in\"\n";
+    for (const std::string force : {"", "force = \"all\"\n"}) {
+        const auto [plan, text] = assembled(builtIn + force + with("", sky));
+        EXPECT_FALSE(plan.has("arctangent by polynomial"));
+        EXPECT_EQ(plan.feature("arctangent by polynomial").reason, "plan.arctangent is built-in");
+        EXPECT_NE(text.find("return atan(y, x);"), std::string::npos);
+        EXPECT_EQ(text.find("0.999996126"), std::string::npos);
+    }
+    EXPECT_EQ(assembled(sky + plain).text.find("return atan("), std::string::npos);
+    EXPECT_EQ(assembled(builtIn + plain).plan.feature("arctangent by polynomial").reason,
+              "no longitude is asked for");
 }
