@@ -47,6 +47,9 @@ private:
     // How many interfaces lie within each other: the longest chain of `outside`, counted from air.
     int nesting() const;
 
+    // Whether plan.pool has rays split and wait even where no surface splits them.
+    bool poolAlways() const;
+
     void findUsed();
     void view();
     void shapes();

@@ -12,7 +12,7 @@ PlanChoices readPlan(const Table& document)
     if (!section)
         return plan;
     const TableReader reader(*section, "[plan]",
-                             {"force", "values", "lookup", "within", "pictures", "arctangent"});
+                             {"force", "values", "lookup", "within", "pictures", "arctangent", "pool"});
     using Force = PlanChoices::Force;
     using Values = PlanChoices::Values;
     using Lookup = PlanChoices::Lookup;
@@ -31,6 +31,8 @@ PlanChoices readPlan(const Table& document)
     using Arctangent = PlanChoices::Arctangent;
     reader.choice<Arctangent>("arctangent", plan.arctangent,
                               {{"auto", Arctangent::automatic}, {"built-in", Arctangent::builtIn}});
+    using Pool = PlanChoices::Pool;
+    reader.choice<Pool>("pool", plan.pool, {{"auto", Pool::automatic}, {"always", Pool::always}});
     return plan;
 }
 

@@ -67,6 +67,7 @@ const std::vector<Overrides> variants = {
     {"plan.values=uniforms"},
     {"plan.lookup=table"},
     {"plan.arctangent=built-in"},
+    {"plan.pool=always"},
 };
 
 std::string nameOf(const Overrides& overrides)

@@ -187,3 +187,30 @@ TEST(Plan, ArctangentBuiltIn_LeavesThePolynomialOut)
     EXPECT_EQ(assembled(builtIn + plain).plan.feature("arctangent by polynomial").reason,
               "no longitude is asked for");
 }
+
+TEST(Plan, PoolAlways_TakesAPoolOf4WhateverTheSurfacesDo)
+{
+    const std::string always = "[plan]\npool = \"always\"\n";
+    const std::string surfaces[] = {"", "mirror = 0.5", "transmit = 0.5\nior = 1.5"};
+    const RayTree byNeed[] = {RayTree::single, RayTree::chain, RayTree::heaviestFirst};
+    for (std::size_t i = 0; i < std::size(surfaces); ++i) {
+        EXPECT_EQ(assembled(with(surfaces[i])).plan.tree, byNeed[i]) << surfaces[i];
+        const auto [plan, text] = assembled(always + with(surfaces[i]));
+        EXPECT_EQ(plan.tree, RayTree::heaviestFirst) << surfaces[i];
+        EXPECT_EQ(plan.feature("ray pool").reason, "4 slots: plan.pool is always") << surfaces[i];
+        EXPECT_NE(text.find("#define POOL_SLOTS 4"), std::string::npos) << surfaces[i];
+    }
+    EXPECT_EQ(assembled(always + plain).plan.feature("refraction").reason, "plan.pool is always");
+}
+
+TEST(Plan, PoolAlways_GivesWayWhereNoneIsOfUse)
+{
+    const std::string always = "[plan]\npool = \"always\"\n";
+    const auto queue = assembled(always + "[trace]\norder = \"breadth-first\"\n" + with("mirror = 0.5")).plan;
+    EXPECT_EQ(queue.tree, RayTree::breadthFirst);
+    EXPECT_FALSE(queue.has("refraction"));
+    const auto oneRay = assembled(always + "[trace]\nbudget = 1\n" + with("mirror = 0.5")).plan;
+    EXPECT_EQ(oneRay.tree, RayTree::single);
+    EXPECT_FALSE(oneRay.has("refraction"));
+    EXPECT_EQ(assembled(always).plan.tree, RayTree::single);
+}
