@@ -36,6 +36,7 @@ Plan Planner::make()
     addUnderView(&Planner::rays, showsFirstHit(plan_.view));
     addUnderView(&Planner::lights, noLight);
     addUnderView(&Planner::sky, noLight);
+    longitudes();
     within();
     form();
     animation();
@@ -96,8 +97,9 @@ void Planner::add(const std::string& name, bool in, const std::string& whyIn, co
 // lights has no tables to ask.
 bool Planner::canForce(const std::string& name, const std::vector<std::string>& defines) const
 {
-    static const std::set<std::string> forms = {"light loops",      "shared view",     "shared lights",
-                                                "shared materials", "moving geometry", "tinted shadows"};
+    static const std::set<std::string> forms = {
+        "light loops",     "shared view",    "shared lights",           "shared materials",
+        "moving geometry", "tinted shadows", "arctangent by polynomial"};
     if (scene_.plan.force != PlanChoices::Force::all || plan_.view != DataView::none ||
         scene_.objects.empty() || defines.empty() || forms.contains(name))
         return false;
@@ -175,6 +177,15 @@ bool seesDirections(const Plan& plan)
     if (showsRayTree(plan.view))
         return plan.tree != RayTree::single;
     return plan.has("objects") || plan.has("sky gradient") || plan.has("sky picture");
+}
+
+void Planner::longitudes()
+{
+    const bool asked =
+        plan_.has("sphere coordinates") || plan_.has("cylinder coordinates") || plan_.has("sky picture");
+    add("arctangent by polynomial", asked && scene_.plan.arctangent == PlanChoices::Arctangent::automatic,
+        "cheaper than the driver's own", asked ? "plan.arctangent is built-in" : "no longitude is asked for",
+        {"HAS_ARCTANGENT_POLYNOMIAL"});
 }
 
 void Planner::animation()

@@ -130,9 +130,11 @@ void Planner::rays()
 {
     addForMaterials("mirror", [&](const auto& m) { return isSeen(m) && m.mirror > 0.0; },
                     "no material mirrors", {"HAS_MIRROR_RAY"});
-    addForMaterials("refraction",
-                    [&](const auto& m) { return isSeen(m) && m.transmit > 0.0 && m.mirror < 1.0; },
-                    "no material transmits light", {"HAS_MIRROR_RAY", "HAS_REFRACTION"});
+    const auto clear =
+        materialsWith([&](const auto& m) { return isSeen(m) && m.transmit > 0.0 && m.mirror < 1.0; });
+    add("refraction", !clear.empty() || poolAlways(),
+        clear.empty() ? "plan.pool is always" : "material " + clear, "no material transmits light",
+        {"HAS_MIRROR_RAY", "HAS_REFRACTION"});
     const bool refracts = plan_.has("refraction");
     const bool swims = scene_.camera.inside.has_value();
     const auto absorbing = materialsWith([](const auto& m) { return m.absorption != glm::dvec3(0.0); });
@@ -144,6 +146,13 @@ void Planner::rays()
     add("depth limit", sendsOn && scene_.trace.depth.has_value(), "trace.depth is set",
         sendsOn ? "trace.depth is not set" : "no ray is sent on", {"HAS_DEPTH_LIMIT"});
     rayTree(sendsOn, refracts);
+}
+
+// An empty scene, a first hit and a budget of one ray send none on; other orders have no pool.
+bool Planner::poolAlways() const
+{
+    return scene_.plan.pool == PlanChoices::Pool::always && scene_.trace.order == TreeOrder::heaviestFirst &&
+           !seesNothing() && !showsFirstHit(plan_.view) && scene_.trace.budget.value_or(2) > 1;
 }
 
 int Planner::nesting() const
@@ -165,7 +174,7 @@ void Planner::rayTree(bool sendsOn, bool refracts)
 {
     const int nested = nesting();
     plan_.budget = sendsOn ? scene_.trace.budget.value_or(16 + 8 * std::max(0, nested - 1)) : 1;
-    plan_.poolSlots = nested > 1 ? 4 : 3;
+    plan_.poolSlots = nested > 1 || poolAlways() ? 4 : 3;
     const auto order = scene_.trace.order;
     plan_.tree = !sendsOn                           ? RayTree::single
                  : order == TreeOrder::breadthFirst ? RayTree::breadthFirst
@@ -178,7 +187,9 @@ void Planner::rayTree(bool sendsOn, bool refracts)
         sendsOn ? "a surface splits rays, or trace.order asks for another tree" : "no ray is sent on", {});
     add("ray pool", plan_.tree == RayTree::heaviestFirst,
         fmt::format("{} slots: {}", plan_.poolSlots,
-                    nested > 1 ? "media lie within each other" : "surfaces reflect and refract"),
+                    nested > 1     ? "media lie within each other"
+                    : poolAlways() ? "plan.pool is always"
+                                   : "surfaces reflect and refract"),
         order != TreeOrder::heaviestFirst && sendsOn ? orderIs : never, {});
     add("ray queue", plan_.tree == RayTree::breadthFirst, orderIs, sendsOn ? orderIs : never, {});
     add("ray stack", plan_.tree == RayTree::depthFirst, orderIs, sendsOn ? orderIs : never, {});

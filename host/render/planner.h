@@ -52,6 +52,9 @@ private:
     // How many interfaces lie within each other: the longest chain of `outside`, counted from air.
     int nesting() const;
 
+    // Whether plan.pool has rays split and wait even where no surface splits them.
+    bool poolAlways() const;
+
     void findUsed();
     void view();
     void shapes();
@@ -65,6 +68,7 @@ private:
     void highlights(bool anyLight);
     void shadows(bool anyLight);
     void sky();
+    void longitudes(); // after surfaces and sky, which ask for them
     void within();
     void form();
     void values();

@@ -11,8 +11,9 @@ PlanChoices readPlan(const Table& document)
     const Value* section = find(document, "plan");
     if (!section)
         return plan;
-    const TableReader reader(*section, "[plan]",
-                             {"force", "values", "lookup", "within", "pictures", "tiles"});
+    const TableReader reader(
+        *section, "[plan]",
+        {"force", "values", "lookup", "within", "pictures", "tiles", "arctangent", "pool"});
     using Force = PlanChoices::Force;
     using Values = PlanChoices::Values;
     using Lookup = PlanChoices::Lookup;
@@ -31,6 +32,11 @@ PlanChoices readPlan(const Table& document)
     using Tiles = PlanChoices::Tiles;
     reader.choice<Tiles>("tiles", plan.tiles,
                          {{"auto", Tiles::automatic}, {"on", Tiles::on}, {"off", Tiles::off}});
+    using Arctangent = PlanChoices::Arctangent;
+    reader.choice<Arctangent>("arctangent", plan.arctangent,
+                              {{"auto", Arctangent::automatic}, {"built-in", Arctangent::builtIn}});
+    using Pool = PlanChoices::Pool;
+    reader.choice<Pool>("pool", plan.pool, {{"auto", Pool::automatic}, {"always", Pool::always}});
     return plan;
 }
 

@@ -60,12 +60,16 @@ struct PlanChoices {
     enum class Within { automatic, always };
     enum class Pictures { automatic, apart };
     enum class Tiles { automatic, on, off };
+    enum class Arctangent { automatic, builtIn };
+    enum class Pool { automatic, always };
     Force force = Force::none;               // all: every feature in, whether the scene needs it or not
     Values values = Values::automatic;       // how materials, lights and camera reach a pixel
     Pictures pictures = Pictures::automatic; // apart: only pictures of one size share an array
     Within within = Within::automatic; // always: every solid is asked from within, though no ray gets there
     Tiles tiles = Tiles::automatic; // whether parts of the picture that show less have programs of their own
-    Lookup lookup = Lookup::automatic; // how the nearest object's surface is looked up
+    Lookup lookup = Lookup::automatic;             // how the nearest object's surface is looked up
+    Arctangent arctangent = Arctangent::automatic; // built-in: the driver's own in place of our polynomial
+    Pool pool = Pool::automatic; // always: rays that split and a pool of 4, though no surface splits any
 };
 
 enum class ReflectanceModel { lambert, phong, blinn };

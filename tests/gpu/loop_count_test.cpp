@@ -76,6 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"LightsWithoutShadows", 3, 4, "form = \"loop\"", "mirror = 0.999\nshadow = \"none\""},
         Case{"LiteralLights", 1, 30, "form = \"literal\"", "mirror = 0.999"},
         Case{"LiteralOneLight", 1, 1, "form = \"literal\"", "mirror = 0.999"},
+        Case{"PoolAlways", 3, 5, "form = \"literal\"\n[plan]\npool = \"always\"", "mirror = 0.999"},
         Case{"Pool", 3, 2, "form = \"loop\"", "mirror = 0.001\ntransmit = 1\nior = 1.0001"},
         Case{"PoolAndLiterals", 3, 5, "form = \"literal\"", "mirror = 0.001\ntransmit = 1\nior = 1.0001"}),
     [](const auto& info) { return info.param.name; });

@@ -80,6 +80,8 @@ const std::vector<Overrides> variants = {
     {"trace.light_type=2"},
     {"plan.values=uniforms"},
     {"plan.lookup=table"},
+    {"plan.arctangent=built-in"},
+    {"plan.pool=always"},
 };
 
 std::string nameOf(const Overrides& overrides)

@@ -84,6 +84,7 @@ const std::vector<Toggle> toggles = {
     {"absorption in shadows", with("transmit = 0.5\nabsorption = [1, 0, 0]", point), {"chordTransmittance"}},
     {"sky gradient", with("", "[sky]\ngradient = [[0, 0, 0], [1, 1, 1], [0, 0, 1]]\n"), {"u_sky.horizon"}},
     {"sky picture", with("", "[sky]\nimage = \"sky.exr\"\n"), {"u_sky_picture", "latLong"}},
+    {"arctangent by polynomial", with("", "[sky]\nimage = \"sky.exr\"\n"), {"0.999996126"}},
     {"depth limit", with("mirror = 0.5", "[trace]\ndepth = 3\n"), {"u_depth", "bounces"}},
     {"solids seen from within", with("transmit = 0.5"), {"sphereCrossing"}},
     {"ray queue", with("mirror = 0.5", "[trace]\norder = \"breadth-first\"\n"), {"traceBreadthFirst"}},
@@ -170,4 +171,47 @@ TEST(Plan, NestedMedia_GetALargerBudgetAndPool)
                           .plan;
     EXPECT_EQ(plan.budget, 24);
     EXPECT_EQ(plan.poolSlots, 4);
+}
+
+TEST(Plan, ArctangentBuiltIn_LeavesThePolynomialOut)
+{
+    const std::string sky = "[sky]\nimage = \"sky.exr\"\n";
+    const std::string builtIn = "[plan]\narctangent = \"built-in\"\n";
+    for (const std::string force : {"", "force = \"all\"\n"}) {
+        const auto [plan, text] = assembled(builtIn + force + with("", sky));
+        EXPECT_FALSE(plan.has("arctangent by polynomial"));
+        EXPECT_EQ(plan.feature("arctangent by polynomial").reason, "plan.arctangent is built-in");
+        EXPECT_NE(text.find("return atan(y, x);"), std::string::npos);
+        EXPECT_EQ(text.find("0.999996126"), std::string::npos);
+    }
+    EXPECT_EQ(assembled(sky + plain).text.find("return atan("), std::string::npos);
+    EXPECT_EQ(assembled(builtIn + plain).plan.feature("arctangent by polynomial").reason,
+              "no longitude is asked for");
+}
+
+TEST(Plan, PoolAlways_TakesAPoolOf4WhateverTheSurfacesDo)
+{
+    const std::string always = "[plan]\npool = \"always\"\n";
+    const std::string surfaces[] = {"", "mirror = 0.5", "transmit = 0.5\nior = 1.5"};
+    const RayTree byNeed[] = {RayTree::single, RayTree::chain, RayTree::heaviestFirst};
+    for (std::size_t i = 0; i < std::size(surfaces); ++i) {
+        EXPECT_EQ(assembled(with(surfaces[i])).plan.tree, byNeed[i]) << surfaces[i];
+        const auto [plan, text] = assembled(always + with(surfaces[i]));
+        EXPECT_EQ(plan.tree, RayTree::heaviestFirst) << surfaces[i];
+        EXPECT_EQ(plan.feature("ray pool").reason, "4 slots: plan.pool is always") << surfaces[i];
+        EXPECT_NE(text.find("#define POOL_SLOTS 4"), std::string::npos) << surfaces[i];
+    }
+    EXPECT_EQ(assembled(always + plain).plan.feature("refraction").reason, "plan.pool is always");
+}
+
+TEST(Plan, PoolAlways_GivesWayWhereNoneIsOfUse)
+{
+    const std::string always = "[plan]\npool = \"always\"\n";
+    const auto queue = assembled(always + "[trace]\norder = \"breadth-first\"\n" + with("mirror = 0.5")).plan;
+    EXPECT_EQ(queue.tree, RayTree::breadthFirst);
+    EXPECT_FALSE(queue.has("refraction"));
+    const auto oneRay = assembled(always + "[trace]\nbudget = 1\n" + with("mirror = 0.5")).plan;
+    EXPECT_EQ(oneRay.tree, RayTree::single);
+    EXPECT_FALSE(oneRay.has("refraction"));
+    EXPECT_EQ(assembled(always).plan.tree, RayTree::single);
 }
