@@ -1,9 +1,6 @@
 // Each feature, switched on in a scene of one object: its functions, uniforms and textures appear with it and
 // vanish without.
-#include "render/assemble.h"
-#include "render/device_scene.h"
-#include "render/pack.h"
-#include "scene/load.h"
+#include "assembled.h"
 
 #include <gtest/gtest.h>
 
@@ -96,22 +93,6 @@ class PlanFeature : public testing::TestWithParam<Toggle>
 {
 };
 
-struct Assembled {
-    Plan plan;
-    std::string text;
-};
-
-Assembled assembled(const std::string& toml)
-{
-    const std::filesystem::path glsl = std::filesystem::path(DIOPTRE_SOURCE_DIR) / "glsl";
-    const Scene scene = underLightType(parseScene(toml, glsl / "scenes" / "text.toml"));
-    Assembled result{makePlan(scene), {}};
-    auto packed = pack(scene, result.plan, {36, 1});
-    loadPictures(scene, result.plan, packed);
-    result.text = flatten(assemble(scene, result.plan, packed, glsl));
-    return result;
-}
-
 } // namespace
 
 INSTANTIATE_TEST_SUITE_P(Toggles, PlanFeature, testing::ValuesIn(toggles), [](const auto& info) {
@@ -122,19 +103,21 @@ INSTANTIATE_TEST_SUITE_P(Toggles, PlanFeature, testing::ValuesIn(toggles), [](co
 
 TEST_P(PlanFeature, WithIt_ItsCodeIsThere)
 {
-    const auto [plan, text] = assembled(GetParam().scene);
-    EXPECT_TRUE(plan.has(GetParam().feature)) << plan.feature(GetParam().feature).reason;
-    EXPECT_FALSE(plan.feature(GetParam().feature).reason.empty());
+    const auto shader = assembled(GetParam().scene);
+    EXPECT_TRUE(shader.plan.has(GetParam().feature)) << shader.plan.feature(GetParam().feature).reason;
+    EXPECT_FALSE(shader.plan.feature(GetParam().feature).reason.empty());
     for (const auto& token : GetParam().tokens)
-        EXPECT_NE(text.find(token), std::string::npos) << token << " is missing from\n" << text;
+        EXPECT_NE(shader.fragment.find(token), std::string::npos) << token << " is missing from\n"
+                                                                  << shader.fragment;
 }
 
 TEST_P(PlanFeature, WithoutIt_NothingOfItIsLeft)
 {
-    const auto [plan, text] = assembled(plain);
-    EXPECT_FALSE(plan.has(GetParam().feature));
+    const auto shader = assembled(plain);
+    EXPECT_FALSE(shader.plan.has(GetParam().feature));
     for (const auto& token : GetParam().tokens)
-        EXPECT_EQ(text.find(token), std::string::npos) << token << " is still in\n" << text;
+        EXPECT_EQ(shader.fragment.find(token), std::string::npos) << token << " is still in\n"
+                                                                  << shader.fragment;
 }
 
 TEST(Plan, UnusedMaterialsAndPictures_AreNeitherLoadedNorUploaded)
@@ -146,18 +129,18 @@ TEST(Plan, UnusedMaterialsAndPictures_AreNeitherLoadedNorUploaded)
 
 TEST(Plan, WhereNothingShines_NoPictureIsLoadedAndNoSurfaceShaded)
 {
-    const auto [plan, text] = assembled(with("image = \"planet.png\""));
-    EXPECT_TRUE(plan.pictures.empty());
-    EXPECT_FALSE(plan.has("local shading"));
-    EXPECT_EQ(text.find("localRadiance"), std::string::npos);
+    const auto shader = assembled(with("image = \"planet.png\""));
+    EXPECT_TRUE(shader.plan.pictures.empty());
+    EXPECT_FALSE(shader.plan.has("local shading"));
+    EXPECT_EQ(shader.fragment.find("localRadiance"), std::string::npos);
 }
 
 TEST(Plan, UnlitSceneOfOneSphere_HasNoLightCodeAtAll)
 {
-    const auto [plan, text] = assembled("[trace]\nlight_type = 0\n" + with("", point));
-    EXPECT_FALSE(plan.has("point light"));
-    EXPECT_EQ(text.find("u_lights"), std::string::npos);
-    EXPECT_NE(text.find("u_ambient"), std::string::npos);
+    const auto shader = assembled("[trace]\nlight_type = 0\n" + with("", point));
+    EXPECT_FALSE(shader.plan.has("point light"));
+    EXPECT_EQ(shader.fragment.find("u_lights"), std::string::npos);
+    EXPECT_NE(shader.fragment.find("u_ambient"), std::string::npos);
 }
 
 TEST(Plan, NestedMedia_GetALargerBudgetAndPool)
