@@ -1,4 +1,4 @@
-// Ray and cylinder, open or capped. `axis` is unit and runs from the base along `height`.
+// Ray and cylinder, open or capped. The ray's direction and `axis` are unit vectors; `axis` runs from the base along `height`.
 
 // The line's stretch inside the infinite cylinder. With m = d x axis the distance of line and axis is |f.m| / |m|. A line
 // parallel to the axis is inside for ever or never.

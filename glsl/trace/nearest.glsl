@@ -48,10 +48,11 @@ vec3 wallTint(Crossing crossing, float distance, Material material)
 
 #ifdef HAS_SHADOW_ABSORPTION
 // Beer-Lambert over a chord, relative to the medium around, whose own chord holds this one: above 1 for a clear bubble in
-// dark glass. The exponent is held where its exponential is finite.
+// dark glass. The exponent is held where the product of two such bubbles is finite too: infinite times the 0 of the glass
+// would be no number.
 vec3 chordTransmittance(Material material, float chord)
 {
-    return exp(min(-material.shadow_absorption.xyz * chord, vec3(80.0)));
+    return exp(min(-material.shadow_absorption.xyz * chord, vec3(40.0)));
 }
 #endif
 

@@ -34,9 +34,7 @@ Path continued(Path path, Nearest hit, vec3 position, vec3 direction, vec3 weigh
 #endif
     return next;
 }
-#endif
 
-#ifdef HAS_MIRROR_RAY
 // The share of light that goes through a surface instead of coming back from within it.
 float transmitOf(Material material)
 {

@@ -19,7 +19,7 @@ namespace
 // Objects with the same keys; the values are texts and numbers.
 using Rows = std::vector<nlohmann::ordered_json>;
 
-struct Section {
+struct Listing {
     std::string name;
     Rows rows;
 };
@@ -57,7 +57,7 @@ Rows views()
     return rows;
 }
 
-std::vector<Section> sections()
+std::vector<Listing> listings()
 {
     return {{"scenes", scenes()},
             {"orders", namesIn(treeOrders)},
@@ -73,11 +73,11 @@ std::string cell(const std::string& key, const nlohmann::ordered_json& value)
 }
 
 // Columns as wide as their longest cell.
-std::string textOf(const Section& section)
+std::string textOf(const Listing& listing)
 {
     std::vector<std::vector<std::string>> lines;
     std::vector<std::size_t> widths;
-    for (const auto& row : section.rows) {
+    for (const auto& row : listing.rows) {
         std::vector<std::string> line;
         for (const auto& [key, value] : row.items()) {
             line.push_back(cell(key, value));
@@ -86,7 +86,7 @@ std::string textOf(const Section& section)
         }
         lines.push_back(line);
     }
-    std::string text = section.name + "\n";
+    std::string text = listing.name + "\n";
     for (const auto& line : lines) {
         std::string row = " ";
         for (std::size_t column = 0; column < line.size(); ++column)
@@ -102,9 +102,9 @@ ExitCode list(const ListOptions& options)
 {
     nlohmann::ordered_json json;
     std::vector<std::string> texts;
-    for (const Section& section : sections()) {
-        json[section.name] = section.rows;
-        texts.push_back(textOf(section));
+    for (const Listing& listing : listings()) {
+        json[listing.name] = listing.rows;
+        texts.push_back(textOf(listing));
     }
     fmt::print("{}", options.json ? json.dump(2) + "\n" : join(texts, "\n"));
     return ExitCode::done;

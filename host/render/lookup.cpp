@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace dioptre
@@ -137,15 +138,28 @@ std::string shapeText(const Scene& scene, const PackedScene& packed, const Plan&
 }
 
 std::string intFunction(const char* comment, const char* name, const PackedScene& packed, const Plan& plan,
-                        int PackedObject::*member)
+                        const std::function<std::string(const PackedObject&)>& valueOf)
 {
     const auto value = [&](std::size_t id) -> std::optional<std::string> {
         if (!plan.seen[id])
             return std::nullopt;
-        return fmt::format("{}", packed.objects[id].*member);
+        return valueOf(packed.objects[id]);
     };
     return fmt::format("// {}\nint {}(int object)\n{{\n    return {};\n}}\n\n", comment, name,
                        selectText("object", packed.objects.size(), value, "0"));
+}
+
+std::string nameOfKind(const PackedObject& object)
+{
+    constexpr std::array names = {"KIND_SPHERE", "KIND_OPEN_CYLINDER", "KIND_CAPPED_CYLINDER", "KIND_PLANE",
+                                  "KIND_DISK",   "KIND_RECTANGLE",     "KIND_TRIANGLE"};
+    static_assert(names.size() == packed::KIND_COUNT);
+    return names.at(static_cast<std::size_t>(object.kind));
+}
+
+std::string materialIndex(const PackedObject& object)
+{
+    return std::to_string(object.material);
 }
 
 } // namespace
@@ -154,9 +168,9 @@ std::string lookupText(const Scene& scene, const PackedScene& packed, const Plan
 {
     if (!plan.has("objects"))
         return absorptionText(scene, plan);
-    return intFunction("An object's KIND_.", "kindOf", packed, plan, &PackedObject::kind) +
+    return intFunction("An object's KIND_.", "kindOf", packed, plan, nameOfKind) +
            shapeText(scene, packed, plan) +
-           intFunction("Index of an object's material.", "mediumOf", packed, plan, &PackedObject::material) +
+           intFunction("Index of an object's material.", "mediumOf", packed, plan, materialIndex) +
            materialText(scene, plan) + absorptionText(scene, plan);
 }
 

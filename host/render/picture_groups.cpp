@@ -80,15 +80,15 @@ std::string fetchText(const PackedScene& packed, const PictureGroup& group)
     std::string layers = "-1";
     for (std::size_t i = group.pictures.size(); i-- > 0;)
         layers = fmt::format("picture == {} ? {} : {}", group.pictures[i], i, layers);
-    std::string text =
-        fmt::format("    layer = {};\n    size = {};\n    level = pictureLevel(footprint, size);\n", layers,
-                    byPicture(group, size));
+    std::string text = fmt::format("    {{\n        int layer = {};\n        vec2 size = {};\n"
+                                   "        float level = pictureLevel(footprint, size);\n",
+                                   layers, byPicture(group, size));
     if (padded)
-        text += fmt::format("    level = min(level, {});\n", byPicture(group, coarsest));
-    text += fmt::format("    place = withinPicture(uv, wraps, level, size){};\n",
+        text += fmt::format("        level = min(level, {});\n", byPicture(group, coarsest));
+    text += fmt::format("        vec2 place = withinPicture(uv, wraps, level, size){};\n",
                         padded ? " * (size / " + vec2(layer.width, layer.height) + ")" : "");
-    return text + fmt::format("    texel = textureLod({}, vec3(place, float(layer)), level).xyz;\n"
-                              "    colour = layer >= 0 ? texel : colour;\n",
+    return text + fmt::format("        vec3 texel = textureLod({}, vec3(place, float(layer)), level).xyz;\n"
+                              "        colour = layer >= 0 ? texel : colour;\n    }}\n",
                               group.uniform);
 }
 
@@ -136,8 +136,7 @@ std::string picturesText(const Plan& plan, const PackedScene& packed)
     text +=
         "\n// Linear colour of a picture, white for none; `footprint` is a sample's size as a share of it.\n"
         "vec3 pictureColour(int picture, vec2 uv, vec2 wraps, vec2 footprint)\n{\n"
-        "    vec3 colour = vec3(1.0);\n    vec3 texel;\n    int layer;\n    vec2 size;\n    vec2 place;\n"
-        "    float level;\n";
+        "    vec3 colour = vec3(1.0);\n";
     for (const auto& group : groups)
         text += fetchText(packed, group);
     return text + "    return colour;\n}\n\n";

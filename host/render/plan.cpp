@@ -12,6 +12,16 @@ namespace dioptre
 namespace
 {
 
+// "5 values: a, b, c, …".
+std::string countedNames(const std::vector<std::string>& names)
+{
+    constexpr std::size_t shown = 3;
+    const std::vector<std::string> first(names.begin(),
+                                         names.begin() + static_cast<long>(std::min(shown, names.size())));
+    return fmt::format("{} value{}: {}{}", names.size(), names.size() == 1 ? "" : "s", join(first, ", "),
+                       names.size() > shown ? ", …" : "");
+}
+
 // "2 objects" of a shape for which `holds`, "" where there is none.
 template <typename Shape>
 std::string countOf(
@@ -192,7 +202,8 @@ void Planner::animation()
 {
     const auto moving = scene_.moving.size();
     const bool literal = plan_.form == SceneForm::literal;
-    add("animation", !scene_.animated.empty(), join(scene_.animated, ", "), "nothing changes with time", {});
+    add("animation", !scene_.animated.empty(), countedNames(scene_.animated), "nothing changes with time",
+        {});
     add("moving geometry", literal && moving > 0,
         fmt::format("{} object{}: geometry as uniforms", moving, moving == 1 ? "" : "s"),
         moving == 0 ? "no object moves" : "trace.form is loop: all geometry is in the table", {});

@@ -1,5 +1,5 @@
 // `dioptre bench` as a user types it. What is timed is never asserted, only that it is there and whose it is.
-#include "support/process.h"
+#include "support/in_a_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+using dioptre::test::InAFolder;
 using dioptre::test::Outcome;
-using dioptre::test::run;
 
 namespace
 {
@@ -29,24 +29,18 @@ material = "glass"
 )";
 
 // Runs in a folder of its own, with the smallest of measurements.
-class BenchCommand : public testing::Test
+class BenchCommand : public InAFolder
 {
 protected:
     BenchCommand()
     {
-        std::string pattern = "/tmp/dioptre-bench-" + std::string(6, 'X');
-        folder = mkdtemp(pattern.data());
         std::ofstream(folder / "ball.toml") << ball;
         std::filesystem::create_directory(folder / "me@home");
         std::ofstream(folder / "me@home" / "a@b.toml") << ball;
     }
-    ~BenchCommand() override
-    {
-        std::filesystem::remove_all(folder);
-    }
     Outcome here(const std::string& command) const
     {
-        return run("cd '" + folder.string() + "' && SOURCES='" DIOPTRE_SOURCE_DIR "' && " + command);
+        return InAFolder::here("SOURCES='" DIOPTRE_SOURCE_DIR "' && " + command);
     }
     Outcome bench(const std::string& inputs) const
     {
@@ -59,8 +53,6 @@ protected:
         EXPECT_EQ(outcome.error, "");
         return nlohmann::json::parse(outcome.out);
     }
-
-    std::filesystem::path folder;
 };
 
 } // namespace

@@ -1,6 +1,6 @@
 // The tracer in plain Python, against which dioptre's speed is measured, truly traces scenes.
 #include "support/compare.h"
-#include "support/process.h"
+#include "support/in_a_folder.h"
 
 #include "base/file.h"
 #include "base/write_file.h"
@@ -107,23 +107,9 @@ radius = 0.15
 material = "lamp"
 )";
 
-// Runs in a folder of its own, which the test removes.
-class PlainTracer : public testing::Test
+class PlainTracer : public test::InAFolder
 {
 protected:
-    PlainTracer()
-    {
-        std::string pattern = "/tmp/dioptre-plain-" + std::string(6, 'X');
-        folder = mkdtemp(pattern.data());
-    }
-    ~PlainTracer() override
-    {
-        std::filesystem::remove_all(folder);
-    }
-    test::Outcome here(const std::string& command) const
-    {
-        return run("cd '" + folder.string() + "' && " + command);
-    }
     // A binary PPM as it is written: no comments, 255 for white. The top row comes first.
     Picture ppm(const std::string& name, int width, int height) const
     {
@@ -141,8 +127,6 @@ protected:
             }
         return picture;
     }
-
-    std::filesystem::path folder;
 };
 
 } // namespace

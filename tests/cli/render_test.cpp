@@ -1,6 +1,6 @@
 // The command as a user types it.
 #include "support/compare.h"
-#include "support/process.h"
+#include "support/in_a_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -11,28 +11,7 @@ using dioptre::test::run;
 namespace
 {
 
-// Runs in a folder of its own, which the test removes.
-class InAFolder : public testing::Test
-{
-protected:
-    InAFolder()
-    {
-        std::string pattern = "/tmp/dioptre-render-" + std::string(6, 'X');
-        folder = mkdtemp(pattern.data());
-    }
-    ~InAFolder() override
-    {
-        std::filesystem::remove_all(folder);
-    }
-    test::Outcome here(const std::string& command) const
-    {
-        return run("cd '" + folder.string() + "' && " + command);
-    }
-
-    std::filesystem::path folder;
-};
-
-using RenderCommand = InAFolder;
+using RenderCommand = test::InAFolder;
 
 } // namespace
 

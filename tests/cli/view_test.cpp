@@ -1,5 +1,5 @@
 // --view as a user types it.
-#include "support/process.h"
+#include "support/in_a_folder.h"
 
 #include "base/picture.h"
 
@@ -16,25 +16,7 @@ using dioptre::test::run;
 namespace
 {
 
-class ViewCommand : public testing::Test
-{
-protected:
-    ViewCommand()
-    {
-        std::string pattern = "/tmp/dioptre-view-" + std::string(6, 'X');
-        folder = mkdtemp(pattern.data());
-    }
-    ~ViewCommand() override
-    {
-        std::filesystem::remove_all(folder);
-    }
-    test::Outcome here(const std::string& command) const
-    {
-        return run("cd '" + folder.string() + "' && " + command);
-    }
-
-    std::filesystem::path folder;
-};
+using ViewCommand = test::InAFolder;
 
 std::string texel(const Picture& picture, int x, int y)
 {

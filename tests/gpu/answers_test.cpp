@@ -23,7 +23,7 @@ class Answers : public testing::TestWithParam<std::filesystem::path>
 {
 };
 
-std::string nameOf(const testing::TestParamInfo<std::filesystem::path>& info)
+std::string testName(const testing::TestParamInfo<std::filesystem::path>& info)
 {
     std::string name = info.param.stem().string();
     std::replace_if(
@@ -31,7 +31,7 @@ std::string nameOf(const testing::TestParamInfo<std::filesystem::path>& info)
     return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Answers, testing::ValuesIn(answerScenes()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Scenes, Answers, testing::ValuesIn(answerScenes()), testName);
 
 // Writes the pictures that the scene asks for; removes them at the end.
 class PictureFiles

@@ -1,6 +1,6 @@
 // The assembled shaders themselves: valid by an independent compiler, and nothing in them that is not used.
 #include "support/declarations.h"
-#include "support/process.h"
+#include "support/glslang.h"
 #include "support/rendering.h"
 
 #include "base/file.h"
@@ -97,22 +97,6 @@ std::string asEs(const std::string& shader)
     return "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
            "precision highp sampler2DArray;\n" +
            shader.substr(version.size());
-}
-
-// What an independent compiler says of shaders: nothing where it accepts them all. By the files' names, which
-// end in .frag or .vert.
-std::string complaints(const std::map<std::string, std::string>& shaders)
-{
-    const auto folder = std::filesystem::temp_directory_path() / ("dioptre-glsl-" + std::to_string(getpid()));
-    std::filesystem::create_directory(folder);
-    std::string command = "cd '" + folder.string() + "' && glslangValidator";
-    for (const auto& [name, text] : shaders) {
-        std::ofstream(folder / name) << text;
-        command += " '" + name + "'";
-    }
-    const auto outcome = run(command);
-    std::filesystem::remove_all(folder);
-    return outcome.code == 0 ? "" : "exit code " + std::to_string(outcome.code) + "\n" + outcome.out;
 }
 
 } // namespace

@@ -195,3 +195,16 @@ TEST(Animation, Gallery_HasOneShaderAScene)
         }
     }
 }
+
+TEST(Animation, ManyAnimatedValues_AreCountedAndTheFirstFewNamed)
+{
+    const auto reasonOf = [](const std::string& animations) {
+        return preparedAt(lit + balls + animations, 0.0).plan.feature("animation").reason;
+    };
+    const auto one = animate("ball.radius", "[1, 2, 1]");
+    EXPECT_EQ(reasonOf(one), "1 value: ball.radius");
+    const auto three = one + animate("ball.centre.0", "[1, 2, 1]") + animate("ball.centre.1", "[1, 2, 1]");
+    EXPECT_EQ(reasonOf(three), "3 values: ball.radius, ball.centre.0, ball.centre.1");
+    EXPECT_EQ(reasonOf(three + animate("ball.centre.2", "[1, 2, 1]")),
+              "4 values: ball.radius, ball.centre.0, ball.centre.1, …");
+}

@@ -1,4 +1,5 @@
 // Chains of selects: one value for each item, by whichever form has fewer steps.
+#include "assembled.h"
 #include "render/lookup.h"
 
 #include <gtest/gtest.h>
@@ -51,4 +52,15 @@ TEST(SelectText, WhereNoneMatters_IsTheRest)
 {
     EXPECT_EQ(selected({"", ""}), "rest");
     EXPECT_EQ(selected({}), "rest");
+}
+
+TEST(KindOf, NamesEachKindByItsConstant)
+{
+    const auto shader =
+        assembled("[camera]\neye = [0, 0, 5]\n[[light]]\nkind = \"point\"\nposition = [0, 9, 0]\n"
+                  "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n"
+                  "[[triangle]]\na = [0, 0, 0]\nb = [1, 0, 0]\nc = [0, 1, 0]\n");
+    EXPECT_NE(shader.fragment.find("return object < 1 ? KIND_SPHERE :\n        KIND_TRIANGLE;"),
+              std::string::npos)
+        << shader.fragment;
 }

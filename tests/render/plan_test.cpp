@@ -1,9 +1,6 @@
 // Each feature, switched on in a scene of one object: its functions, uniforms and textures appear with it and
 // vanish without.
-#include "render/assemble.h"
-#include "render/device_scene.h"
-#include "render/pack.h"
-#include "scene/load.h"
+#include "assembled.h"
 
 #include <gtest/gtest.h>
 
@@ -98,22 +95,6 @@ class PlanFeature : public testing::TestWithParam<Toggle>
 {
 };
 
-struct Assembled {
-    Plan plan;
-    std::string text;
-};
-
-Assembled assembled(const std::string& toml)
-{
-    const std::filesystem::path glsl = std::filesystem::path(DIOPTRE_SOURCE_DIR) / "glsl";
-    const Scene scene = underLightType(parseScene(toml, glsl / "scenes" / "text.toml"));
-    Assembled result{makePlan(scene), {}};
-    auto packed = pack(scene, result.plan, {36, 1});
-    loadPictures(scene, result.plan, packed);
-    result.text = flatten(assemble(scene, result.plan, packed, glsl));
-    return result;
-}
-
 } // namespace
 
 INSTANTIATE_TEST_SUITE_P(Toggles, PlanFeature, testing::ValuesIn(toggles), [](const auto& info) {
@@ -124,19 +105,21 @@ INSTANTIATE_TEST_SUITE_P(Toggles, PlanFeature, testing::ValuesIn(toggles), [](co
 
 TEST_P(PlanFeature, WithIt_ItsCodeIsThere)
 {
-    const auto [plan, text] = assembled(GetParam().scene);
-    EXPECT_TRUE(plan.has(GetParam().feature)) << plan.feature(GetParam().feature).reason;
-    EXPECT_FALSE(plan.feature(GetParam().feature).reason.empty());
+    const auto shader = assembled(GetParam().scene);
+    EXPECT_TRUE(shader.plan.has(GetParam().feature)) << shader.plan.feature(GetParam().feature).reason;
+    EXPECT_FALSE(shader.plan.feature(GetParam().feature).reason.empty());
     for (const auto& token : GetParam().tokens)
-        EXPECT_NE(text.find(token), std::string::npos) << token << " is missing from\n" << text;
+        EXPECT_NE(shader.fragment.find(token), std::string::npos) << token << " is missing from\n"
+                                                                  << shader.fragment;
 }
 
 TEST_P(PlanFeature, WithoutIt_NothingOfItIsLeft)
 {
-    const auto [plan, text] = assembled(plain);
-    EXPECT_FALSE(plan.has(GetParam().feature));
+    const auto shader = assembled(plain);
+    EXPECT_FALSE(shader.plan.has(GetParam().feature));
     for (const auto& token : GetParam().tokens)
-        EXPECT_EQ(text.find(token), std::string::npos) << token << " is still in\n" << text;
+        EXPECT_EQ(shader.fragment.find(token), std::string::npos) << token << " is still in\n"
+                                                                  << shader.fragment;
 }
 
 TEST(Plan, UnusedMaterialsAndPictures_AreNeitherLoadedNorUploaded)
@@ -148,18 +131,18 @@ TEST(Plan, UnusedMaterialsAndPictures_AreNeitherLoadedNorUploaded)
 
 TEST(Plan, WhereNothingShines_NoPictureIsLoadedAndNoSurfaceShaded)
 {
-    const auto [plan, text] = assembled(with("image = \"planet.png\""));
-    EXPECT_TRUE(plan.pictures.empty());
-    EXPECT_FALSE(plan.has("local shading"));
-    EXPECT_EQ(text.find("localRadiance"), std::string::npos);
+    const auto shader = assembled(with("image = \"planet.png\""));
+    EXPECT_TRUE(shader.plan.pictures.empty());
+    EXPECT_FALSE(shader.plan.has("local shading"));
+    EXPECT_EQ(shader.fragment.find("localRadiance"), std::string::npos);
 }
 
 TEST(Plan, UnlitSceneOfOneSphere_HasNoLightCodeAtAll)
 {
-    const auto [plan, text] = assembled("[trace]\nlight_type = 0\n" + with("", point));
-    EXPECT_FALSE(plan.has("point light"));
-    EXPECT_EQ(text.find("u_lights"), std::string::npos);
-    EXPECT_NE(text.find("u_ambient"), std::string::npos);
+    const auto shader = assembled("[trace]\nlight_type = 0\n" + with("", point));
+    EXPECT_FALSE(shader.plan.has("point light"));
+    EXPECT_EQ(shader.fragment.find("u_lights"), std::string::npos);
+    EXPECT_NE(shader.fragment.find("u_ambient"), std::string::npos);
 }
 
 TEST(Plan, NestedMedia_GetALargerBudgetAndPool)
@@ -178,13 +161,13 @@ TEST(Plan, ArctangentBuiltIn_LeavesThePolynomialOut)
     const std::string sky = "[sky]\nimage = \"sky.exr\"\n";
     const std::string builtIn = "[plan]\narctangent = \"built-in\"\n";
     for (const std::string force : {"", "force = \"all\"\n"}) {
-        const auto [plan, text] = assembled(builtIn + force + with("", sky));
+        const auto [plan, text, vertex] = assembled(builtIn + force + with("", sky));
         EXPECT_FALSE(plan.has("arctangent by polynomial"));
         EXPECT_EQ(plan.feature("arctangent by polynomial").reason, "plan.arctangent is built-in");
         EXPECT_NE(text.find("return atan(y, x);"), std::string::npos);
         EXPECT_EQ(text.find("0.999996126"), std::string::npos);
     }
-    EXPECT_EQ(assembled(sky + plain).text.find("return atan("), std::string::npos);
+    EXPECT_EQ(assembled(sky + plain).fragment.find("return atan("), std::string::npos);
     EXPECT_EQ(assembled(builtIn + plain).plan.feature("arctangent by polynomial").reason,
               "no longitude is asked for");
 }
@@ -196,7 +179,7 @@ TEST(Plan, PoolAlways_TakesAPoolOf4WhateverTheSurfacesDo)
     const RayTree byNeed[] = {RayTree::single, RayTree::chain, RayTree::heaviestFirst};
     for (std::size_t i = 0; i < std::size(surfaces); ++i) {
         EXPECT_EQ(assembled(with(surfaces[i])).plan.tree, byNeed[i]) << surfaces[i];
-        const auto [plan, text] = assembled(always + with(surfaces[i]));
+        const auto [plan, text, vertex] = assembled(always + with(surfaces[i]));
         EXPECT_EQ(plan.tree, RayTree::heaviestFirst) << surfaces[i];
         EXPECT_EQ(plan.feature("ray pool").reason, "4 slots: plan.pool is always") << surfaces[i];
         EXPECT_NE(text.find("#define POOL_SLOTS 4"), std::string::npos) << surfaces[i];

@@ -1,9 +1,7 @@
 // What travels through the vertex stage: each value in a place of its own, no more than there is room for,
 // and nothing read that was not received.
-#include "render/assemble.h"
-#include "render/pack.h"
+#include "assembled.h"
 #include "render/shared_values.h"
-#include "scene/load.h"
 
 #include <gtest/gtest.h>
 
@@ -14,28 +12,11 @@ using namespace dioptre;
 namespace
 {
 
-struct Assembled {
-    Plan plan;
-    std::string fragment;
-    std::string vertex;
-};
-
-Assembled assembled(const std::string& toml)
-{
-    const std::filesystem::path glsl = std::filesystem::path(DIOPTRE_SOURCE_DIR) / "glsl";
-    const Scene scene = underLightType(parseScene(toml, glsl / "scenes" / "text.toml"));
-    Assembled result{makePlan(scene), {}, {}};
-    const auto packed = pack(scene, result.plan, {36, 1});
-    result.fragment = flatten(assemble(scene, result.plan, packed, glsl));
-    result.vertex = flatten(assembleVertex(result.plan, packed, glsl));
-    return result;
-}
-
 // So many materials would be read from the table, which knows no shared ones.
 const std::string bySelects = "[plan]\nlookup = \"selects\"\n";
 
 // A row of balls, each of a material of its own.
-std::string balls(int count, const std::string& material)
+std::string rowOfBalls(int count, const std::string& material)
 {
     std::string toml = "[camera]\neye = [0, 0, 50]\n[[light]]\nkind = \"point\"\nposition = [0, 9, 0]\n";
     for (int i = 0; i < count; ++i) {
@@ -118,7 +99,7 @@ TEST(SharedValues, AreReceivedFromWhereTheyWereSent)
 TEST(SharedValues, OfManyMaterials_FillTheirRoomAndOverlapNowhere)
 {
     for (const auto& material : {shiny, tinted}) {
-        const auto plan = assembled(bySelects + balls(24, material)).plan;
+        const auto plan = assembled(bySelects + rowOfBalls(24, material)).plan;
         EXPECT_EQ(vectorsOf(plan.shared), mostSharedVectors);
         std::set<std::string> taken; // components: "v_shared[3].x"
         std::istringstream statements(shareStatements(plan.shared));
@@ -138,7 +119,7 @@ TEST(SharedValues, OfManyMaterials_FillTheirRoomAndOverlapNowhere)
 TEST(SharedValues, WhatHasNoRoom_IsReadFromItsBlock)
 {
     for (const auto& material : {shiny, tinted}) {
-        const auto shader = assembled(bySelects + balls(24, material));
+        const auto shader = assembled(bySelects + rowOfBalls(24, material));
         expectAllReceived(shader);
         EXPECT_TRUE(shader.plan.has("shared materials"));
         EXPECT_NE(partedAtReceive(shader.fragment).second.find("u_materials[23]."), std::string::npos);
@@ -148,7 +129,7 @@ TEST(SharedValues, WhatHasNoRoom_IsReadFromItsBlock)
 TEST(SharedValues, WhereAllHaveRoom_NoPixelReadsTheBlock)
 {
     for (const auto& material : {shiny, tinted}) {
-        const auto shader = assembled(balls(2, material));
+        const auto shader = assembled(rowOfBalls(2, material));
         expectAllReceived(shader);
         EXPECT_EQ(shader.fragment.find("u_materials"), std::string::npos);
         EXPECT_EQ(shader.fragment.find("u_lights[0] ="), std::string::npos);
@@ -159,7 +140,7 @@ TEST(SharedValues, WhereAllHaveRoom_NoPixelReadsTheBlock)
 TEST(SharedValues, OnADeviceThatCarriesFewer_StayWithinThat)
 {
     // OpenGL 3.3 promises 60 components of varyings: 15 vec4.
-    const Scene scene = underLightType(parseScene(bySelects + balls(12, shiny), "text.toml"));
+    const Scene scene = underLightType(parseScene(bySelects + rowOfBalls(12, shiny), "text.toml"));
     const Plan plan = makePlan(scene, DataView::none, 15);
     EXPECT_GT(vectorsOf(makePlan(scene).shared), 15);
     EXPECT_LE(vectorsOf(plan.shared), 15);
@@ -168,7 +149,7 @@ TEST(SharedValues, OnADeviceThatCarriesFewer_StayWithinThat)
 
 TEST(SharedValues, AsUniforms_NothingTravels)
 {
-    const auto shader = assembled("[plan]\nvalues = \"uniforms\"\n" + balls(2, shiny));
+    const auto shader = assembled("[plan]\nvalues = \"uniforms\"\n" + rowOfBalls(2, shiny));
     EXPECT_TRUE(shader.plan.shared.empty());
     for (const char* gone : {"v_shared", "receiveShared", "shared_materials"}) {
         EXPECT_EQ(shader.fragment.find(gone), std::string::npos) << gone;
