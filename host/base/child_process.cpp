@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
@@ -104,6 +105,8 @@ void drain(Pipe& out, Pipe& error, ChildOutcome& outcome)
 std::optional<ChildOutcome> runChild(const std::vector<std::string>& command,
                                      const std::map<std::string, std::string>& environment)
 {
+    // Whoever started us may have had it ignored: then no child leaves a status behind.
+    ::signal(SIGCHLD, SIG_DFL);
     Pipe out;
     Pipe error;
     const pid_t child = start(command, environment, out, error);

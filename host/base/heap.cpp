@@ -39,7 +39,13 @@ void keepLargeBlocks()
     const auto begin = reinterpret_cast<std::uintptr_t>(::sbrk(0));
     void* volatile block = std::malloc(MiB); // more than is left: the heap grows by this and the padding
     std::free(block);
-    adviseLargePages(begin, reinterpret_cast<std::uintptr_t>(::sbrk(0)));
+    const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0));
+    // Under a limit of memory a heap that asks for so much at once gets nothing: back to the usual steps.
+    if (end - begin < reserve) {
+        ::mallopt(M_MMAP_THRESHOLD, 128 << 10);
+        ::mallopt(M_TOP_PAD, 128 << 10);
+    }
+    adviseLargePages(begin, end);
 }
 #else
 void keepLargeBlocks() {}

@@ -70,7 +70,7 @@ double median(std::span<const double> values)
 
 Estimate medianOf(std::span<const double> values)
 {
-    Estimate estimate{median(values)};
+    Estimate estimate{median(values), 0.0, 0.0, values.size()};
     std::vector<double> room;
     fillInterval(estimate, values.size(),
                  [&](const auto& picked) { return medianOfPicked(values, picked, room); });
@@ -79,7 +79,7 @@ Estimate medianOf(std::span<const double> values)
 
 Estimate ratioOfMedians(std::span<const double> values, std::span<const double> baseline)
 {
-    Estimate ratio{median(values) / median(baseline)};
+    Estimate ratio{median(values) / median(baseline), 0.0, 0.0, values.size()};
     std::vector<double> room;
     fillInterval(ratio, values.size(), [&](const auto& picked) {
         return medianOfPicked(values, picked, room) / medianOfPicked(baseline, picked, room);
@@ -95,7 +95,8 @@ double spreadOf(const Estimate& ratio)
 bool differs(const Estimate& ratio, double controlSpread)
 {
     const bool apartFromOne = ratio.low > 1.0 || ratio.high < 1.0;
-    return apartFromOne && std::max(ratio.value, 1.0 / ratio.value) > 1.0 + controlSpread;
+    return ratio.rounds >= fewestRounds && apartFromOne &&
+           std::max(ratio.value, 1.0 / ratio.value) > 1.0 + controlSpread;
 }
 
 std::vector<std::size_t> roundOrder(std::size_t count, std::size_t round)

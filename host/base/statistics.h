@@ -19,6 +19,7 @@ struct Estimate {
     double value = 0.0;
     double low = 0.0;
     double high = 0.0;
+    std::size_t rounds = 0; // measurements that it rests on
 };
 
 // The median, with a percentile bootstrap interval. The same values give the same interval.
@@ -32,7 +33,10 @@ Estimate ratioOfMedians(std::span<const double> values, std::span<const double> 
 // the baseline measured a second time, this is what the measurement cannot tell apart.
 double spreadOf(const Estimate& ratio);
 
-// Whether a ratio is beyond the control's spread, and its own interval apart from 1.
+// Fewer measurements tell no difference: their interval is next to nothing.
+inline constexpr std::size_t fewestRounds = 5;
+
+// Whether a ratio is beyond the control's spread, its own interval apart from 1, and both from enough rounds.
 bool differs(const Estimate& ratio, double controlSpread);
 
 // The order in which `count` inputs are measured in a round: forwards and backwards in turn (ABBA), so that a

@@ -1,5 +1,6 @@
 #include "base/statistics.h"
 #include "command/bench_result.h"
+#include "command/json_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -86,7 +87,10 @@ Cells frameCells(const BenchResult& result, const BenchRow& row)
     if (&row == &result.control)
         cells[5] = "control";
     else
-        cells[5] = !comparison.differs ? "no difference" : ratio.value > 1.0 ? "slower" : "faster";
+        cells[5] = ratio.rounds < fewestRounds ? "too few rounds"
+                   : !comparison.differs       ? "no difference"
+                   : ratio.value > 1.0         ? "slower"
+                                               : "faster";
     return cells;
 }
 
@@ -205,7 +209,7 @@ std::string benchJson(const BenchResult& result)
                           {"drawn_ms", tracer->drawn_ms},
                           {"frame_ms", tracer->frame_ms},
                           {"ratio", tracer->frame_ms / median(first.frame_ms)}};
-    return json.dump(2) + "\n";
+    return jsonText(json);
 }
 
 } // namespace dioptre

@@ -77,7 +77,8 @@ void addDoctor(CLI::App& app, DoctorOptions& options)
 
 void addList(CLI::App& app, ListOptions& options)
 {
-    auto* command = app.add_subcommand("list", "name the scenes, tree orders, forms and backends there are");
+    auto* command =
+        app.add_subcommand("list", "name the scenes, tree orders, forms, views and backends there are");
     command->add_flag("--json", options.json, "print them as JSON");
 }
 

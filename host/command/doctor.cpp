@@ -66,7 +66,7 @@ Verdict verdictOn(const DeviceFindings& findings)
 ExitCode doctor(const DoctorOptions& options)
 {
     std::vector<BackendReport> attempts;
-    for (const std::string& backend : backendChoice(options.backend).tries)
+    for (const std::string& backend : triesInTurn(options.backend))
         attempts.push_back(tryBackend(backend));
     if (!options.json) {
         fmt::print("{}", backendsText(attempts));

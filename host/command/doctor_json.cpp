@@ -1,4 +1,5 @@
 #include "command/doctor.h"
+#include "command/json_text.h"
 #include "render/samples.h"
 
 #include <fmt/format.h>
@@ -131,7 +132,7 @@ std::string doctorJson(const std::vector<BackendReport>& attempts, const DeviceF
         json["arithmetic"] = jsonOf(findings->arithmetic);
     }
     json["verdict"] = {{"exit_code", static_cast<int>(verdict.code)}, {"text", verdict.text}};
-    return json.dump(2) + "\n";
+    return jsonText(json);
 }
 
 } // namespace dioptre

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace dioptre
 {
 namespace
@@ -171,7 +173,7 @@ Section timesSection(const DriverEnvironment& environment, bool software)
                                                         : "none, the program's own draws");
     section.rows.emplace_back("LP_NUM_THREADS",
                               environment.threadsAsked.empty() ? "not set" : environment.threadsAsked);
-    if (environment.rasterThreads < environment.cores)
+    if (std::max(1, environment.rasterThreads) < environment.cores)
         section.follows.emplace_back("not all cores draw: see LP_NUM_THREADS");
     return section;
 }

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <pwd.h>
-#include <thread>
+#include <sched.h>
 #include <unistd.h>
 #include <vector>
 
@@ -73,6 +73,14 @@ void findCache(DriverEnvironment& environment, const ContextInfo& context, bool 
     environment.cacheReason = mesa ? "no thread of Mesa's keeps one" : "not a driver of Mesa's";
 }
 
+// Of this process, which may be kept from some of the machine's.
+int coresAllowed()
+{
+    cpu_set_t allowed;
+    CPU_ZERO(&allowed);
+    return ::sched_getaffinity(0, sizeof(allowed), &allowed) == 0 ? CPU_COUNT(&allowed) : 1;
+}
+
 } // namespace
 
 DriverEnvironment driverEnvironment(const ContextInfo& context)
@@ -87,7 +95,7 @@ DriverEnvironment driverEnvironment(const ContextInfo& context)
     findCache(environment, context, has("disk$") > 0);
     environment.rasterThreads = static_cast<int>(has("llvmpipe-"));
     environment.threadsAsked = variable("LP_NUM_THREADS");
-    environment.cores = static_cast<int>(std::thread::hardware_concurrency());
+    environment.cores = coresAllowed();
     return environment;
 }
 

@@ -23,7 +23,7 @@ std::string environment(const char* name)
 std::filesystem::path glslFolder()
 {
     if (const auto chosen = environment("DIOPTRE_GLSL"); !chosen.empty())
-        return chosen;
+        return (std::filesystem::path(chosen) / "").parent_path(); // with or without a slash at its end
     auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
     while (true) {
         if (std::filesystem::is_regular_file(folder / "glsl" / "ray_trace.frag"))

@@ -1,6 +1,7 @@
 #include "base/text.h"
 #include "command/command.h"
 #include "command/input.h"
+#include "command/json_text.h"
 #include "gl/context.h"
 #include "render/data_view.h"
 #include "scene/choices.h"
@@ -106,7 +107,7 @@ ExitCode list(const ListOptions& options)
         json[listing.name] = listing.rows;
         texts.push_back(textOf(listing));
     }
-    fmt::print("{}", options.json ? json.dump(2) + "\n" : join(texts, "\n"));
+    fmt::print("{}", options.json ? jsonText(json) : join(texts, "\n"));
     return ExitCode::done;
 }
 

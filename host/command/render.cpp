@@ -80,6 +80,9 @@ void refuseBadOptions(const RenderOptions& options, const Input& input)
     if (options.reference && !options.view.empty())
         fail(ExitCode::usage, "--reference traces light alone, and --view " + options.view + " asks for data",
              "leave one of them out");
+    if (!options.shader.empty() && std::filesystem::path(options.shader).lexically_normal() ==
+                                       std::filesystem::path(options.output).lexically_normal())
+        fail(ExitCode::usage, "-o and --shader both name " + options.output, "name two files");
     if (options.reference && !options.shader.empty())
         fail(ExitCode::usage, "--reference traces without a shader, and --shader asks for one",
              "leave one of them out");
@@ -144,22 +147,27 @@ Rendering renderInput(const RenderOptions& options, const Input& input)
     return rendering;
 }
 
-// What was drawn by, where a device drew it; null for a plain shader.
+// The whole scene's, as cut to the device where one of the parts shows all of it; null for a plain shader.
 const Plan* planOf(const Rendering& rendering)
 {
     if (!rendering.prepared)
         return nullptr;
-    return rendering.still.parts.empty() ? &rendering.prepared->plan : &rendering.still.parts.back().plan;
+    const Plan& whole = rendering.prepared->plan;
+    const auto& parts = rendering.still.parts;
+    return !parts.empty() && parts.back().plan.seen == whole.seen ? &parts.back().plan : &whole;
 }
 
 // The fullest shader as `path`; those of lesser parts of the picture beside it, as "NAME-1.frag" and so on.
-void writeShaders(const std::filesystem::path& path, const Plan* plan, const Still& still)
+void writeShaders(const std::filesystem::path& path, const Still& still)
 {
     for (std::size_t i = 0; i + 1 < still.parts.size(); ++i) {
         const auto name = fmt::format("{}-{}{}", path.stem().string(), i + 1, path.extension().string());
-        writeFile(path.parent_path() / name, shaderText(&still.parts[i].plan, still.parts[i].shader));
+        const auto beside = path.parent_path() / name;
+        writeFile(beside, shaderText(&still.parts[i], still.parts[i].shader));
+        fmt::print(stderr, "{}: the shader where the picture shows {}\n", beside.string(),
+                   still.parts[i].name);
     }
-    writeFile(path, shaderText(plan, still.shader));
+    writeFile(path, shaderText(still.parts.empty() ? nullptr : &still.parts.back(), still.shader));
 }
 
 } // namespace
@@ -192,7 +200,7 @@ ExitCode render(const RenderOptions& asked)
     rendering.still.phases.write = watch.lap_ms();
     rendering.still.phases.total = whole.lap_ms();
     if (!options.shader.empty())
-        writeShaders(options.shader, plan, rendering.still);
+        writeShaders(options.shader, rendering.still);
     if (options.why)
         fmt::print("{}", whyText(plan, rendering.still));
     if (options.json)

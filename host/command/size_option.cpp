@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
+#include <algorithm>
+#include <charconv>
+#include <string_view>
 
 namespace dioptre
 {
@@ -13,14 +15,23 @@ namespace
 
 constexpr int largestSide_px = 16384; // what every OpenGL driver that we know draws at once
 
+// A whole number of decimal digits, 0 where the text is anything else or too large.
+int sideIn(std::string_view text)
+{
+    int side = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), side);
+    const bool whole = fault == std::errc() && end == text.data() + text.size();
+    return whole && side >= 1 && side <= largestSide_px ? side : 0;
+}
+
 } // namespace
 
 void readSize(const std::string& text, int& width, int& height)
 {
-    int used = 0;
-    const int found = std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used);
-    const auto sane = [](int side) { return side >= 1 && side <= largestSide_px; };
-    if (found != 2 || static_cast<std::size_t>(used) != text.size() || !sane(width) || !sane(height))
+    const auto cross = std::min(text.find('x'), text.size());
+    width = sideIn(std::string_view(text).substr(0, cross));
+    height = cross < text.size() ? sideIn(std::string_view(text).substr(cross + 1)) : 0;
+    if (width == 0 || height == 0)
         fail(ExitCode::usage, fmt::format("--size {} is not a size", text),
              fmt::format("write WIDTHxHEIGHT in pixels, each 1 to {}, as in --size 640x360", largestSide_px));
 }

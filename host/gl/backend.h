@@ -19,6 +19,9 @@ struct ContextTry {
 
 ContextTry tryEglSurfaceless();
 ContextTry tryEglDevice();
+
+// Whether one of EGL's devices is not the software rasteriser.
+bool eglListsGraphicsCard();
 ContextTry tryEglDefault();
 ContextTry tryOsMesa();
 

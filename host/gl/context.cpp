@@ -20,7 +20,7 @@ struct Backend {
     ContextTry (*attempt)();
 };
 
-// In the order in which "auto" tries them.
+// In the order in which "auto" tries them; see triesInTurn().
 constexpr std::array<Backend, 4> backends{
     {{"egl-surfaceless", "Mesa's EGL without display or window", tryEglSurfaceless},
      {"egl-device", "EGL's first device that works, a graphics card where there is one", tryEglDevice},
@@ -85,6 +85,14 @@ const BackendChoice& backendChoice(const std::string& name)
     return *found;
 }
 
+std::vector<std::string> triesInTurn(const std::string& name)
+{
+    auto tries = backendChoice(name).tries;
+    if (tries.size() > 1 && eglListsGraphicsCard())
+        std::ranges::stable_partition(tries, [](const std::string& each) { return each == "egl-device"; });
+    return tries;
+}
+
 std::string loadFunctions(GLADloadfunc loader, ContextInfo& info)
 {
     const int version = gladLoadGL(loader);
@@ -105,7 +113,7 @@ std::string loadFunctions(GLADloadfunc loader, ContextInfo& info)
 std::unique_ptr<Context> makeContext(const std::string& backend, std::vector<BackendAttempt>* attempts)
 {
     std::vector<std::string> faults;
-    for (const std::string& name : backendChoice(backend).tries) {
+    for (const std::string& name : triesInTurn(backend)) {
         ContextTry result = attempt(name);
         if (attempts != nullptr)
             attempts->push_back({name, result.fault});

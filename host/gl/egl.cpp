@@ -7,6 +7,7 @@
 #include <EGL/eglext.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
 namespace dioptre
@@ -140,6 +141,14 @@ std::vector<EGLDeviceEXT> devices()
 }
 
 } // namespace
+
+bool eglListsGraphicsCard()
+{
+    const auto queryString = eglFunction<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
+    return queryString != nullptr && std::ranges::any_of(devices(), [&](EGLDeviceEXT device) {
+               return !lists(queryString(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
+           });
+}
 
 ContextTry tryEglSurfaceless()
 {

@@ -10,7 +10,7 @@ namespace
 
 // The log of a shader or program, read with the pair of functions that belongs to its kind.
 template <typename GetParameter, typename GetLog>
-[[noreturn]] void throwLog(GLuint name, GetParameter getParameter, GetLog getLog)
+[[noreturn]] void throwLog(GLuint name, GetParameter getParameter, GetLog getLog, bool inVertexStage = false)
 {
     GLint size = 0;
     getParameter(name, GL_INFO_LOG_LENGTH, &size);
@@ -18,7 +18,7 @@ template <typename GetParameter, typename GetLog>
     GLsizei written = 0;
     getLog(name, size, &written, log.data());
     log.resize(static_cast<std::size_t>(written));
-    ShaderError error{parseLog(log)};
+    ShaderError error{parseLog(log), inVertexStage};
     if (error.messages.empty())
         error.messages.emplace_back().text = "error: the driver refuses the shader and does not say why";
     throw error;
@@ -34,7 +34,7 @@ Shader compile(GLenum stage, const std::string& text)
     GLint compiled = GL_FALSE;
     glGetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
     if (compiled == GL_FALSE)
-        throwLog(shader.name(), glGetShaderiv, glGetShaderInfoLog);
+        throwLog(shader.name(), glGetShaderiv, glGetShaderInfoLog, stage == GL_VERTEX_SHADER);
     return shader;
 }
 

@@ -31,6 +31,7 @@ std::vector<LogMessage> parseLog(const std::string& log);
 // A compile or link that failed; main() never sees it: render/ maps its lines to files first.
 struct ShaderError {
     std::vector<LogMessage> messages;
+    bool inVertexStage = false; // whether the lines are those of the vertex shader
 };
 
 // main() of a vertex shader: one triangle that covers the viewport, from gl_VertexID alone. `statements` are

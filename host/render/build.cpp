@@ -10,12 +10,13 @@ namespace dioptre
 namespace
 {
 
-// Runs `build` and leads the driver's messages back to the lines of `source`.
-Program mapped(const SourceText& source, const std::function<Program()>& build)
+// Runs `build` and leads the driver's messages back to the lines of the stage that they speak of.
+Program mapped(const SourceText& fragment, const SourceText& vertex, const std::function<Program()>& build)
 {
     try {
         return build();
     } catch (const ShaderError& error) {
+        const SourceText& source = error.inVertexStage ? vertex : fragment;
         std::string text;
         for (const auto& message : error.messages) {
             const auto index = static_cast<std::size_t>(message.line) - 1;
@@ -33,12 +34,12 @@ Program mapped(const SourceText& source, const std::function<Program()>& build)
 
 Program buildProgram(const SourceText& fragment, const SourceText& vertex)
 {
-    return mapped(fragment, [&] { return buildProgram(flatten(fragment), flatten(vertex)); });
+    return mapped(fragment, vertex, [&] { return buildProgram(flatten(fragment), flatten(vertex)); });
 }
 
 Program buildProgram(const SourceText& fragment)
 {
-    return mapped(fragment, [&] { return buildProgram(flatten(fragment)); });
+    return mapped(fragment, {}, [&] { return buildProgram(flatten(fragment)); });
 }
 
 } // namespace dioptre

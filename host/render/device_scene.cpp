@@ -50,9 +50,29 @@ std::size_t bytesOf(const std::vector<Picture>& levels)
     return bytes;
 }
 
-void uploadTextures(DeviceScene& device, const Plan& plan, const PackedScene& packed)
+bool holds(const std::vector<std::string>& names, const std::string& name)
 {
-    for (const auto& group : pictureGroups(plan, packed)) {
+    return std::ranges::find(names, name) != names.end();
+}
+
+// The names that one of the plans gives, each once.
+template <typename Names>
+std::vector<std::string> namesOfAll(const std::vector<const Plan*>& plans, Names namesOf)
+{
+    std::vector<std::string> all;
+    for (const Plan* plan : plans)
+        for (const auto& name : namesOf(*plan))
+            if (!holds(all, name))
+                all.push_back(name);
+    return all;
+}
+
+void uploadTextures(DeviceScene& device, const std::vector<const Plan*>& plans, const PackedScene& packed)
+{
+    const auto wanted = namesOfAll(plans, [&](const Plan& plan) { return plannedTextures(plan, packed); });
+    for (const auto& group : pictureGroups(*plans.front(), packed)) {
+        if (!holds(wanted, group.uniform))
+            continue;
         std::vector<std::span<const Picture>> layers;
         for (const auto picture : group.pictures) {
             layers.push_back(packed.pictures[picture]);
@@ -60,7 +80,7 @@ void uploadTextures(DeviceScene& device, const Plan& plan, const PackedScene& pa
         }
         device.textures.push_back({group.uniform, uploadPictureArray(layers), GL_TEXTURE_2D_ARRAY});
     }
-    if (!packed.sky_picture.empty()) {
+    if (holds(wanted, "u_sky_picture")) {
         device.textures.push_back({"u_sky_picture", uploadSky(packed.sky_picture.front()), GL_TEXTURE_2D});
         device.textureBytes += bytesOf(packed.sky_picture);
     }
@@ -90,7 +110,7 @@ std::string missing(const std::vector<std::string>& wanted, const std::vector<st
 {
     std::vector<std::string> names;
     for (const auto& name : wanted)
-        if (std::find(present.begin(), present.end(), name) == present.end())
+        if (!holds(present, name))
             names.push_back(name);
     return join(names, ", ");
 }
@@ -107,7 +127,7 @@ BlockCapacity capacityOf(std::size_t blockBytes)
             tableRoom / bytes(sizeof(packed::Shape) + sizeof(packed::vec4))};
 }
 
-DeviceScene upload(const PackedScene& packed, const Plan& plan)
+DeviceScene upload(const PackedScene& packed, const std::vector<const Plan*>& plans)
 {
     DeviceScene device;
     std::vector<float> camera, sky, materials, lights;
@@ -115,7 +135,7 @@ DeviceScene upload(const PackedScene& packed, const Plan& plan)
     append(sky, packed.sky);
     appendAll(materials, packed.materials);
     appendAll(lights, packed.lights);
-    for (const auto& name : plannedBlocks(plan)) {
+    for (const auto& name : namesOfAll(plans, plannedBlocks)) {
         if (name == "CameraBlock")
             addBlock(device, name, camera, "cameras");
         else if (name == "SkyBlock")
@@ -129,7 +149,7 @@ DeviceScene upload(const PackedScene& packed, const Plan& plan)
         else
             addBlock(device, name, movingValues(packed), "objects that move");
     }
-    uploadTextures(device, plan, packed);
+    uploadTextures(device, plans, packed);
     return device;
 }
 

@@ -39,8 +39,8 @@ struct BlockCapacity {
 };
 BlockCapacity capacityOf(std::size_t blockBytes);
 
-// Uploads what the plan needs and nothing else.
-DeviceScene upload(const PackedScene& packed, const Plan& plan);
+// Uploads what one of the plans, which are of one scene, needs, and nothing else.
+DeviceScene upload(const PackedScene& packed, const std::vector<const Plan*>& plans);
 
 // What a plan's program reads: uniforms outside blocks, blocks, and textures.
 std::vector<std::string> plannedUniforms(const Plan& plan);

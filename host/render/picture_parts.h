@@ -32,8 +32,9 @@ inline constexpr int partTile_px = 32;
 // towards yes: by a quarter of a pixel, and by what floats lose.
 std::vector<std::vector<bool>> seenInTiles(const Scene& scene, int width, int height);
 
-// The picture cut into parts, no pixel left out and none in two; the last is "everything", and may be all
-// there is. Each other one is at least an eighth of the tiles, so that it outweighs a program of its own.
+// The picture cut into parts, no pixel left out and none in two, the fullest last. That is "everything", and
+// may be all there is, unless no tile needs it. Each other one is at least an eighth of the tiles, so that it
+// outweighs a program of its own.
 std::vector<PicturePart> pictureParts(const Scene& scene, const Plan& plan, int width, int height);
 
 PicturePart wholePicture(const Plan& plan, int width, int height);

@@ -24,7 +24,7 @@ struct PreparedScene {
     Scene scene; // under its light type, and less what its view does not ask for
     Plan plan;
     PackedScene packed;
-    std::vector<PicturePart> parts; // of the picture, one of them "everything"
+    std::vector<PicturePart> parts; // of the picture, the fullest last
 };
 
 // Throws badInput and inputMissing for faults in the scene's numbers and pictures.

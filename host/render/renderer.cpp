@@ -17,7 +17,7 @@ void setSamples(const Program& program, const SampleBatch& batch)
     glUniform1i(locationOf(program, "u_sample_count"), batch.count);
 }
 
-// The plan for what the part shows, and with no more through the vertex stage than the device carries.
+// The plan for what the part shows, with no more through the vertex stage than the device carries.
 Plan planFor(const PreparedScene& prepared, const PicturePart& part)
 {
     const int most = std::min(mostSharedVectors, sharedVectorsOfContext());
@@ -40,7 +40,10 @@ Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, cons
         const Plan plan = planFor(prepared, part);
         parts_.push_back({part, plan, assemble(prepared.scene, plan, packed, view.glslFolder), {}});
     }
-    device_ = upload(packed, planFor(prepared, wholePicture(prepared.plan, view.width, view.height)));
+    std::vector<const Plan*> plans;
+    for (const auto& part : parts_)
+        plans.push_back(&part.plan);
+    device_ = upload(packed, plans);
     target_ = makeAccumulationTarget(view.width, view.height);
     times_.load = watch.lap_ms();
 

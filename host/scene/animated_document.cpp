@@ -90,8 +90,10 @@ Scene sceneAt(const AnimatedDocument& animation, double time_s)
 {
     Scene scene = sceneWith(animation, time_s, [&](const Track& track) { return valueAt(track, time_s); });
     nameChanges(scene, animation);
-    scene.typical.push_back(sceneWith(animation, 0.0, [](const Track& track) {
-        return mixesFreely(track) ? meanOf(track) : valueAt(track, 0.0);
+    // A moment that checkKeys() has found good; at 0 s there may be no key.
+    const double first_s = *keyTimes(animation.tracks).begin();
+    scene.typical.push_back(sceneWith(animation, first_s, [&](const Track& track) {
+        return mixesFreely(track) ? meanOf(track) : valueAt(track, first_s, Seam::last);
     }));
     nameChanges(scene.typical.front(), animation);
     return scene;

@@ -172,7 +172,7 @@ struct Scene {
     std::vector<std::size_t> moving;   // objects whose geometry is, ascending
     // One: what the plan is made from, so that it is the same at every time. The numbers and colours of its
     // materials and lights are the means of their keys: 0, and a share 1, only where they are so at every
-    // time. All else is as at 0 s.
+    // time. All else is as at the first key.
     std::vector<Scene> typical;
 };
 
