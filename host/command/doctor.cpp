@@ -37,8 +37,13 @@ DeviceFindings examine(const ContextInfo& context)
 
 const BackendReport* firstThatWorks(const std::vector<BackendReport>& attempts)
 {
-    const auto found = std::find_if(attempts.begin(), attempts.end(),
-                                    [](const BackendReport& attempt) { return attempt.fault.empty(); });
+    const auto works = [](const BackendReport& attempt) { return attempt.fault.empty(); };
+    const auto onCard = [&](const BackendReport& attempt) {
+        return works(attempt) && !attempt.info.software;
+    };
+    auto found = std::ranges::find_if(attempts, onCard);
+    if (found == attempts.end())
+        found = std::ranges::find_if(attempts, works);
     return found != attempts.end() ? &*found : nullptr;
 }
 
@@ -66,7 +71,7 @@ Verdict verdictOn(const DeviceFindings& findings)
 ExitCode doctor(const DoctorOptions& options)
 {
     std::vector<BackendReport> attempts;
-    for (const std::string& backend : triesInTurn(options.backend))
+    for (const std::string& backend : backendChoice(options.backend).tries)
         attempts.push_back(tryBackend(backend));
     if (!options.json) {
         fmt::print("{}", backendsText(attempts));

@@ -34,7 +34,7 @@ struct Verdict {
     std::string text;
 };
 
-// The one that makeContext() takes; null where none works.
+// The one that makeContext() takes: the first on a graphics card, else the first; null where none works.
 const BackendReport* firstThatWorks(const std::vector<BackendReport>& attempts);
 
 Verdict verdictOn(const DeviceFindings& findings); // checkFailed where pictures would come out wrong

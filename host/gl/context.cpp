@@ -20,7 +20,7 @@ struct Backend {
     ContextTry (*attempt)();
 };
 
-// In the order in which "auto" tries them; see triesInTurn().
+// In the order in which "auto" tries them.
 constexpr std::array<Backend, 4> backends{
     {{"egl-surfaceless", "Mesa's EGL without display or window", tryEglSurfaceless},
      {"egl-device", "EGL's first device that works, a graphics card where there is one", tryEglDevice},
@@ -85,14 +85,6 @@ const BackendChoice& backendChoice(const std::string& name)
     return *found;
 }
 
-std::vector<std::string> triesInTurn(const std::string& name)
-{
-    auto tries = backendChoice(name).tries;
-    if (tries.size() > 1 && eglListsGraphicsCard())
-        std::ranges::stable_partition(tries, [](const std::string& each) { return each == "egl-device"; });
-    return tries;
-}
-
 std::string loadFunctions(GLADloadfunc loader, ContextInfo& info)
 {
     const int version = gladLoadGL(loader);
@@ -113,14 +105,22 @@ std::string loadFunctions(GLADloadfunc loader, ContextInfo& info)
 std::unique_ptr<Context> makeContext(const std::string& backend, std::vector<BackendAttempt>* attempts)
 {
     std::vector<std::string> faults;
-    for (const std::string& name : triesInTurn(backend)) {
+    std::string software; // the first that works, yet draws in software beside a graphics card
+    const auto& tries = backendChoice(backend).tries;
+    for (const std::string& name : tries) {
         ContextTry result = attempt(name);
         if (attempts != nullptr)
             attempts->push_back({name, result.fault});
-        if (result.context != nullptr)
+        if (result.context == nullptr)
+            faults.push_back(fmt::format("{}: {}", name, result.fault));
+        else if (tries.size() == 1 || !result.context->info().software || !eglListsGraphicsCard())
             return std::move(result.context);
-        faults.push_back(fmt::format("{}: {}", name, result.fault));
+        else if (software.empty())
+            software = name;
     }
+    if (!software.empty())
+        if (ContextTry again = attempt(software); again.context != nullptr)
+            return std::move(again.context);
     fail(ExitCode::noOpenGl, fmt::format("no OpenGL 3.3 context ({})", join(faults, "; ")),
          packagesForOpenGl);
 }

@@ -57,13 +57,10 @@ std::vector<std::string> backendNames();
 // Throws usage for a name that is none of them.
 const BackendChoice& backendChoice(const std::string& name);
 
-// The single backends that a name stands for, in the order in which they are tried here: the device first
-// where EGL lists a graphics card, for Mesa's surfaceless EGL would draw in software beside another maker's
-// card.
-std::vector<std::string> triesInTurn(const std::string& name);
-
-// Makes a context by the first backend that works of triesInTurn(). Each try is added to
-// `attempts` if given. Throws noOpenGl, naming every attempt, when none works.
+// Makes a context by the first backend that works of those that the name stands for; of several, by the first
+// that draws on a graphics card where EGL lists one: Mesa's surfaceless display draws in software beside
+// another maker's card. Each try is added to `attempts` if given. Throws noOpenGl, naming every attempt, when
+// none works.
 std::unique_ptr<Context> makeContext(const std::string& backend,
                                      std::vector<BackendAttempt>* attempts = nullptr);
 

@@ -1,4 +1,5 @@
 // The command as a user types it.
+#include "base/file.h"
 #include "support/compare.h"
 #include "support/in_a_folder.h"
 
@@ -153,6 +154,38 @@ TEST_F(RenderCommand, Why_TellsWhatIsInAndOutAndWhy)
     for (const char* text :
          {"in   open cylinder", "out  triangle", "no such object", "shader ", "compile ", "first draw"})
         EXPECT_NE(out.find(text), std::string::npos) << text << " not in\n" << out;
+}
+
+TEST_F(RenderCommand, PartsOfThePicture_AreToldAndTheirShadersWritten)
+{
+    const std::string settings = " --size 320x180 --spp 1 --set plan.tiles=on ";
+    const auto outcome = here("dioptre render still_life" + settings + "--why --shader a.frag -o a.png");
+    EXPECT_EQ(outcome.code, 0) << outcome.error;
+    EXPECT_NE(outcome.out.find("parts     sky "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.error.find("a-1.frag: the shader where the picture shows sky"), std::string::npos)
+        << outcome.error;
+    const auto sky = readFile(folder / "a-1.frag");
+    EXPECT_EQ(sky.find("sphereSpan"), std::string::npos) << sky;
+    EXPECT_NE(sky.find("out  objects                        none is seen"), std::string::npos) << sky;
+    EXPECT_NE(readFile(folder / "a.frag").find("sphereSpan"), std::string::npos);
+}
+
+TEST_F(RenderCommand, Why_TellsTheScenesPlan_WhereThePictureShowsTheSkyAlone)
+{
+    const auto out = here("dioptre render still_life --size 160x90 --spp 1 --set plan.tiles=on "
+                          "--set camera.target=[0,90,5] --why -o a.png")
+                         .out;
+    for (const char* text :
+         {"in   mirror", "budget    16", "parts     sky 100.0 %", "textures  u_sky_picture ("})
+        EXPECT_NE(out.find(text), std::string::npos) << text << " not in\n" << out;
+}
+
+TEST_F(RenderCommand, AFileNameThatIsNotUtf8_LeavesJsonWhole)
+{
+    const auto outcome =
+        here("dioptre render spheres --size 16x9 --spp 1 --json -o \"$(printf '\\377').png\"");
+    EXPECT_EQ(outcome.code, 0) << outcome.error;
+    EXPECT_EQ(nlohmann::json::parse(outcome.out)["size"][0], 16);
 }
 
 TEST_F(RenderCommand, OsMesa_IsNamedWhereItRan)

@@ -45,21 +45,40 @@ TEST_P(Gallery, SinglePrecision_AgreesWithDouble)
     EXPECT_LT(difference.over, difference.pixels / 200);
 }
 
-TEST_P(Gallery, OtherPlans_DrawTheSamePicture)
+namespace
+{
+
+void expectTheUsualPicture(const std::filesystem::path& scene, const std::vector<std::string>& others)
 {
     // The same kernels on the same floats: only the compiler's folding of constants differs, so a few samples
     // at edges, and in our arctangent 3e-6 rad; a pool of 4 keeps rays that fall out of one of 3.
-    const auto usual = renderScene(GetParam(), {160, 90, 1, {}, "auto"}).picture;
-    for (const std::string other : {"trace.form=loop", "plan.values=uniforms", "plan.lookup=table",
-                                    "plan.arctangent=built-in", "plan.pool=always"}) {
-        const auto picture = renderScene(GetParam(), {160, 90, 1, {other}, "auto"}).picture;
+    const auto usual = renderScene(scene, {160, 90, 1, {}, "auto"}).picture;
+    for (const auto& other : others) {
+        const auto picture = renderScene(scene, {160, 90, 1, {other}, "auto"}).picture;
         const auto difference = compare(usual, picture, 0.01);
-        std::cout << GetParam().stem().string() << ", " << other << ": RMSE " << difference.rmse << ", "
+        std::cout << scene.stem().string() << ", " << other << ": RMSE " << difference.rmse << ", "
                   << difference.over << " of " << difference.pixels << " pixels over 0.01\n";
         EXPECT_LT(difference.rmse, singlePrecisionRmse)
-            << other << ": " << saveForTheEye("form-" + GetParam().stem().string(), usual, picture);
+            << other << ": " << saveForTheEye("form-" + scene.stem().string(), usual, picture);
         EXPECT_LT(difference.over, difference.pixels / 200) << other;
     }
+}
+
+} // namespace
+
+TEST_P(Gallery, OtherPlans_DrawTheSamePicture)
+{
+    expectTheUsualPicture(GetParam(), {"trace.form=loop", "plan.values=uniforms", "plan.lookup=table",
+                                       "plan.arctangent=built-in", "plan.pool=always"});
+}
+
+// Where they change most: solids and glass, pictures of three sizes, many objects.
+TEST(Plans, MoreThanTheSceneNeeds_DrawsTheSamePicture)
+{
+    for (const char* name : {"still_life", "glass", "crowd"})
+        expectTheUsualPicture(
+            glslFolder() / "scenes" / (std::string(name) + ".toml"),
+            {"plan.within=always", "plan.pictures=apart", "plan.lookup=selects", "plan.force=all"});
 }
 
 TEST_P(Gallery, EqualRuns_GiveEqualNumbers)

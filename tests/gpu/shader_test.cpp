@@ -195,43 +195,76 @@ TEST_P(GalleryShader, Text_IsTheSameEachTime)
     EXPECT_EQ(stagesOf({}).vertex, again.vertex);
 }
 
+namespace
+{
+
+// A copy of glsl/ in which one place of a file is edited.
+class EditedSources
+{
+public:
+    EditedSources(const std::string& file, const std::string& from, const std::string& to)
+        : folder_(std::filesystem::temp_directory_path() /
+                  ("dioptre-edited-glsl-" + std::to_string(getpid())))
+    {
+        std::filesystem::remove_all(folder_);
+        std::filesystem::copy(glslFolder(), folder_, std::filesystem::copy_options::recursive);
+        edit(file, from, to);
+    }
+    EditedSources(const EditedSources&) = delete;
+    EditedSources& operator=(const EditedSources&) = delete;
+    ~EditedSources()
+    {
+        std::filesystem::remove_all(folder_);
+    }
+    void edit(const std::string& file, const std::string& from, const std::string& to) const
+    {
+        auto text = readFile(folder_ / file);
+        text.replace(text.find(from), from.size(), to);
+        std::ofstream(folder_ / file) << text;
+    }
+    // What drawing with them ends with; "" where it ends well.
+    std::string error() const
+    {
+        const StillSettings settings{{16, 9, 1, folder_}, {}};
+        try {
+            renderScene(prepare(loadScene(galleryScenes().front(), {}), settings), settings,
+                        contextFor("auto"));
+            return "";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::badInput);
+            return error.what();
+        }
+    }
+
+private:
+    std::filesystem::path folder_;
+};
+
+} // namespace
+
 TEST(ShaderErrors, AnEditedFile_IsNamedWithItsLine)
 {
-    const auto folder =
-        std::filesystem::temp_directory_path() / ("dioptre-edited-glsl-" + std::to_string(getpid()));
-    std::filesystem::remove_all(folder);
-    std::filesystem::copy(glslFolder(), folder, std::filesystem::copy_options::recursive);
-    auto text = readFile(folder / "trace" / "sky.glsl");
-    text.replace(text.find("vec3 radiance"), 13, "vec3 radianc3");
-    std::ofstream(folder / "trace" / "sky.glsl") << text;
-    contextFor("auto");
-    const StillSettings settings{{16, 9, 1, folder}, {}};
-    try {
-        renderScene(prepare(loadScene(galleryScenes().front(), {}), settings), settings, contextFor("auto"));
-        FAIL() << "compiled";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ExitCode::badInput);
-        EXPECT_NE(std::string(error.what()).find("trace/sky.glsl:"), std::string::npos) << error.what();
-    }
-    std::filesystem::remove_all(folder);
+    const EditedSources sources("trace/sky.glsl", "vec3 radiance", "vec5 radiance");
+    const auto text = readFile(glslFolder() / "trace" / "sky.glsl");
+    const auto line =
+        1 +
+        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("radiance =")), '\n');
+    const auto error = sources.error();
+    EXPECT_NE(error.find("trace/sky.glsl:" + std::to_string(line)), std::string::npos) << error;
+}
+
+TEST(ShaderErrors, AFileOfTheVertexStage_IsNamedWithItsLineAndText)
+{
+    const EditedSources sources("shared/structs.glsl", "vec4 diffuse;", "vec5 diffuse;");
+    const auto error = sources.error();
+    EXPECT_NE(error.find("shared/structs.glsl:"), std::string::npos) << error;
+    EXPECT_NE(error.find("    vec5 diffuse;"), std::string::npos) << error;
 }
 
 TEST(ShaderErrors, AUniformThatNothingFeeds_IsReported)
 {
-    const auto folder =
-        std::filesystem::temp_directory_path() / ("dioptre-unfed-glsl-" + std::to_string(getpid()));
-    std::filesystem::remove_all(folder);
-    std::filesystem::copy(glslFolder(), folder, std::filesystem::copy_options::recursive);
-    auto text = readFile(folder / "trace" / "sky.glsl");
-    text.replace(text.find("vec3 skyRadiance"), 0, "uniform float u_stray;\n\n");
-    text.replace(text.find("return radiance"), 15, "return u_stray * radiance");
-    std::ofstream(folder / "trace" / "sky.glsl") << text;
-    const StillSettings settings{{16, 9, 1, folder}, {}};
-    try {
-        renderScene(prepare(loadScene(galleryScenes().front(), {}), settings), settings, contextFor("auto"));
-        FAIL() << "u_stray was not noticed";
-    } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("u_stray"), std::string::npos) << error.what();
-    }
-    std::filesystem::remove_all(folder);
+    const EditedSources sources("trace/sky.glsl", "vec3 skyRadiance",
+                                "uniform float u_stray;\n\nvec3 skyRadiance");
+    sources.edit("trace/sky.glsl", "return radiance", "return u_stray * radiance");
+    EXPECT_NE(sources.error().find("u_stray"), std::string::npos);
 }

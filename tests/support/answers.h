@@ -4,9 +4,10 @@
 //   # picture: sky.image = blocks of 8: rg / bw       made for the test, top row first: a letter is 8 x 8
 //                                                     texels of black k, full r g b c m y w, or grey h (188)
 //   # also: trace.order=breadth-first trace.budget=9  one more rendering, under these overrides
-//   # time: 1.5                                       seconds: the lines below expect this moment; 0 above
-//   the first # expect: pixel 4,4 = 0.04 0.04 0.04 within 1e-5  counted from the lower left corner # expect:
-//   pixels 0,0 to 8,3 = 1 0 0 within 1e-5   both corners included # expect: every pixel = 1 1 1 within 1e-5
+//   # time: 1.5                                       seconds, for what follows; 0 above the first
+//   # expect: pixel 4,4 = 0.04 0.04 0.04 within 1e-5  counted from the lower left corner
+//   # expect: pixels 0,0 to 8,3 = 1 0 0 within 1e-5   both corners included
+//   # expect: every pixel = 1 1 1 within 1e-5
 //   # expect: png 4,4 = 188 128 10                    bytes of the written file
 //   # expect: symmetric left-right within 1e-5        or top-bottom, diagonal
 #pragma once

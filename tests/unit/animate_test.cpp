@@ -164,6 +164,16 @@ TEST(Animation, TypicalScene_IsTheSameAtEveryTimeAndZeroOnlyWhereAllKeysAre)
     }
 }
 
+TEST(Animation, WhereNoKeyIsAtZeroSeconds_NothingIsAskedOfThatMoment)
+{
+    // Half-way, at 0 s, the eye is at the target: no view at all.
+    const std::string text =
+        "[camera]\neye = [0, 1, 5]\ntarget = [0, 1, 0]\n[[animate]]\npath = \"camera.eye\"\n"
+        "times = [-1, 1]\nvalues = [[0, 1, -5], [0, 1, 5]]\n";
+    EXPECT_EQ(parseScene(text, "a.toml", {}, 1.0).camera.eye, glm::dvec3(0.0, 1.0, 5.0));
+    EXPECT_THROW(parseScene(text, "a.toml", {}, 0.0), Error);
+}
+
 TEST(Animation, AlmostOppositeDirections_HaveNoMeanAndNeedNone)
 {
     const Scene scene = with(sceneOfAll, "light.0.direction", "[[0, -1, 0], [0, 1, 0]]", 1.0);

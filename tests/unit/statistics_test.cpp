@@ -149,16 +149,28 @@ TEST(Statistics_Spread, IsTheFarthestThatTheControlMayBeFromOne)
 
 TEST(Statistics_Verdict, UnderTheControlsSpread_IsNoDifference)
 {
-    EXPECT_FALSE(differs({1.02, 1.015, 1.025}, 0.03));
-    EXPECT_FALSE(differs({0.98, 0.975, 0.985}, 0.03));
-    EXPECT_TRUE(differs({1.04, 1.035, 1.045}, 0.03));
-    EXPECT_TRUE(differs({0.9, 0.89, 0.91}, 0.03));
+    EXPECT_FALSE(differs({1.02, 1.015, 1.025, 9}, 0.03));
+    EXPECT_FALSE(differs({0.98, 0.975, 0.985, 9}, 0.03));
+    EXPECT_TRUE(differs({1.04, 1.035, 1.045, 9}, 0.03));
+    EXPECT_TRUE(differs({0.9, 0.89, 0.91, 9}, 0.03));
 }
 
 TEST(Statistics_Verdict, AnIntervalThatHoldsOne_IsNoDifference)
 {
-    EXPECT_FALSE(differs({1.1, 0.95, 1.3}, 0.01));
-    EXPECT_FALSE(differs({1.0, 1.0, 1.0}, 0.0));
+    EXPECT_FALSE(differs({1.1, 0.95, 1.3, 9}, 0.01));
+    EXPECT_FALSE(differs({1.0, 1.0, 1.0, 9}, 0.0));
+}
+
+TEST(Differs, FewRounds_TellNothing)
+{
+    const std::vector<double> slow{2.0, 2.1, 2.2, 2.1, 2.0};
+    const std::vector<double> quick{1.0, 1.1, 1.2, 1.1, 1.0};
+    const auto ratio = [&](std::size_t rounds) {
+        return ratioOfMedians(std::span(slow).first(rounds), std::span(quick).first(rounds));
+    };
+    EXPECT_FALSE(differs(ratio(1), 0.01));
+    EXPECT_FALSE(differs(ratio(fewestRounds - 1), 0.01));
+    EXPECT_TRUE(differs(ratio(fewestRounds), 0.01));
 }
 
 TEST(Statistics_Verdict, OnANoisyMachine_FindsWhatDiffers_AndOnlyThat)
