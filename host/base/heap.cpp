@@ -6,6 +6,7 @@
 #ifdef __GLIBC__
 #include <malloc.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 #endif
 
@@ -28,10 +29,19 @@ void adviseLargePages(std::uintptr_t begin, std::uintptr_t end)
         ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE); // advice: failing is no harm
 }
 
+// Where address space is limited, a heap that asks for so much at once gets nothing.
+bool isLimited(decltype(RLIMIT_AS) resource)
+{
+    rlimit limit{};
+    return ::getrlimit(resource, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY;
+}
+
 } // namespace
 
 void keepLargeBlocks()
 {
+    if (isLimited(RLIMIT_AS) || isLimited(RLIMIT_DATA))
+        return;
     ::mallopt(M_MMAP_THRESHOLD, reserve); // larger blocks go back to the system when freed
     ::mallopt(M_TRIM_THRESHOLD, reserve);
     ::mallopt(M_TOP_PAD, reserve);
@@ -39,13 +49,7 @@ void keepLargeBlocks()
     const auto begin = reinterpret_cast<std::uintptr_t>(::sbrk(0));
     void* volatile block = std::malloc(MiB); // more than is left: the heap grows by this and the padding
     std::free(block);
-    const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0));
-    // Under a limit of memory a heap that asks for so much at once gets nothing: back to the usual steps.
-    if (end - begin < reserve) {
-        ::mallopt(M_MMAP_THRESHOLD, 128 << 10);
-        ::mallopt(M_TOP_PAD, 128 << 10);
-    }
-    adviseLargePages(begin, end);
+    adviseLargePages(begin, reinterpret_cast<std::uintptr_t>(::sbrk(0)));
 }
 #else
 void keepLargeBlocks() {}
