@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,9 @@ struct RenderOptions {
     int samples = 16;    // a pixel
     double time_s = 0.0; // of animations and u_time
     int budget = 0;      // rays a sample; 0 leaves it to the scene
-    std::vector<std::string> overrides; // path=value
+    std::vector<std::string> overrides;  // path=value; of a plain shader uniform=value
+    std::array<std::string, 4> channels; // of a plain shader: see ChannelSource
+    std::string mouse;                   // of a plain shader: "X,Y" or "X,Y,down"; "" for never touched
     std::string backend = "auto";
     std::string view;       // data in place of light; "" for none
     bool half = false;      // EXR in 16-bit floats

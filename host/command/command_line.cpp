@@ -48,9 +48,18 @@ void addRender(CLI::App& app, RenderOptions& options, std::string& size)
         ->capture_default_str();
     command
         ->add_option("--set", options.overrides,
-                     "change a value of the scene, as trace.form=loop; may be repeated")
+                     "change a value of the scene, as trace.form=loop, or a uniform of a plain shader; may "
+                     "be repeated")
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false);
+    for (std::size_t i = 0; i < options.channels.size(); ++i)
+        command
+            ->add_option(fmt::format("--channel{}", i), options.channels[i],
+                         fmt::format("iChannel{} of a plain shader: a picture, or a cube's six", i))
+            ->type_name("FILE");
+    command
+        ->add_option("--mouse", options.mouse, "the pointer of a plain shader, in pixels from the lower left")
+        ->type_name("X,Y[,down]");
     command->add_option("--backend", options.backend, "where to draw")
         ->check(CLI::IsMember(backendNames()))
         ->capture_default_str();

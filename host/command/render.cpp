@@ -4,6 +4,7 @@
 #include "base/write_file.h"
 #include "command/command.h"
 #include "command/input.h"
+#include "command/plain_options.h"
 #include "command/progress.h"
 #include "command/report.h"
 #include "kernel/reference.h"
@@ -72,10 +73,14 @@ void refuseBadOptions(const RenderOptions& options, const Input& input)
     if (options.half && !isExr(options.output))
         fail(ExitCode::usage, "--half is for EXR, and " + options.output + " is a PNG",
              "name the picture FILE.exr");
-    if (input.plainShader &&
-        (options.reference || options.budget > 0 || !options.overrides.empty() || !options.view.empty()))
+    if (input.plainShader && (options.reference || options.budget > 0 || !options.view.empty()))
         fail(ExitCode::usage,
-             options.input + " is a plain shader, and --set, --budget, --view and --reference are for scenes",
+             options.input + " is a plain shader, and --budget, --view and --reference are for scenes",
+             "leave them out");
+    const bool anyChannel = std::ranges::any_of(options.channels, [](const auto& c) { return !c.empty(); });
+    if (!input.plainShader && (anyChannel || !options.mouse.empty()))
+        fail(ExitCode::usage,
+             options.input + " is a scene, and --channel0 to 3 and --mouse are for plain shaders",
              "leave them out");
     if (options.reference && !options.view.empty())
         fail(ExitCode::usage, "--reference traces light alone, and --view " + options.view + " asks for data",
@@ -117,8 +122,7 @@ Rendering renderInput(const RenderOptions& options, const Input& input)
 {
     StillSettings settings{{options.width, options.height, options.samples, glslFolder(), pictureCache(),
                             dataViewNamed(options.view)},
-                           terminalProgress(),
-                           options.time_s};
+                           terminalProgress()};
     Rendering rendering;
     Stopwatch watch;
     std::future<PreparedScene> preparing; // beside the making of the context
@@ -128,6 +132,9 @@ Rendering renderInput(const RenderOptions& options, const Input& input)
                                             &settings] { return prepare(scene, settings); });
     double load_ms = watch.lap_ms();
     std::unique_ptr<Context> context;
+    const PlainSettings plain = input.plainShader ? plainSettings(options) : PlainSettings{};
+    if (input.plainShader)
+        startVariablesAtZero();
     if (!options.reference)
         context = makeContext(options.backend);
     const double context_ms = watch.lap_ms();
@@ -140,7 +147,7 @@ Rendering renderInput(const RenderOptions& options, const Input& input)
     } else {
         rendering.context = context->info();
         rendering.still = rendering.prepared ? renderScene(*rendering.prepared, settings, context->info())
-                                             : renderPlain(input.path, settings);
+                                             : renderPlain(input.path, settings, plain);
         rendering.still.phases.context = context_ms;
     }
     rendering.still.phases.load += load_ms;

@@ -46,24 +46,23 @@ GLint parameter(GLuint program, GLenum which)
 }
 
 // Names as they stand in the shader: OpenGL reports the array u_x as "u_x[0]".
-std::map<std::string, GLint> activeUniforms(GLuint program)
+std::vector<ActiveUniform> activeUniforms(GLuint program)
 {
-    std::map<std::string, GLint> uniforms;
+    std::vector<ActiveUniform> uniforms;
     std::string buffer(static_cast<std::size_t>(parameter(program, GL_ACTIVE_UNIFORM_MAX_LENGTH)) + 1, '\0');
     const auto count = static_cast<GLuint>(parameter(program, GL_ACTIVE_UNIFORMS));
     for (GLuint index = 0; index < count; ++index) {
         GLsizei length = 0;
-        GLint elements = 0;
-        GLenum type = 0;
-        glGetActiveUniform(program, index, static_cast<GLsizei>(buffer.size()), &length, &elements, &type,
-                           buffer.data());
-        std::string name(buffer, 0, static_cast<std::size_t>(length));
-        const GLint location = glGetUniformLocation(program, name.c_str());
-        if (location < 0) // inside a block, or built in
+        ActiveUniform uniform;
+        glGetActiveUniform(program, index, static_cast<GLsizei>(buffer.size()), &length, &uniform.elements,
+                           &uniform.type, buffer.data());
+        uniform.name.assign(buffer, 0, static_cast<std::size_t>(length));
+        uniform.location = glGetUniformLocation(program, uniform.name.c_str());
+        if (uniform.location < 0) // inside a block, or built in
             continue;
-        if (name.ends_with("[0]"))
-            name.resize(name.size() - 3);
-        uniforms[name] = location;
+        if (uniform.name.ends_with("[0]"))
+            uniform.name.resize(uniform.name.size() - 3);
+        uniforms.push_back(std::move(uniform));
     }
     return uniforms;
 }
@@ -97,9 +96,16 @@ Program buildProgram(const std::string& fragmentText, const std::string& vertexT
     glDetachShader(name.name(), fragment.name());
     if (parameter(name.name(), GL_LINK_STATUS) == GL_FALSE)
         throwLog(name.name(), glGetProgramiv, glGetProgramInfoLog);
-    auto uniforms = activeUniforms(name.name());
+    std::map<std::string, GLint> uniforms;
+    for (const auto& uniform : activeUniforms(name.name()))
+        uniforms[uniform.name] = uniform.location;
     auto blocks = activeBlocks(name.name());
     return {std::move(name), std::move(uniforms), std::move(blocks)};
+}
+
+std::vector<ActiveUniform> activeUniformsOf(const Program& program)
+{
+    return activeUniforms(program.name.name());
 }
 
 // Vertices 0, 1, 2 at (-1, -1), (3, -1), (-1, 3): the viewport is the corner square of that triangle, so no

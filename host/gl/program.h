@@ -18,6 +18,15 @@ struct Program {
     std::map<std::string, GLuint> uniformBlocks; // active blocks by index
 };
 
+// An active uniform outside blocks, as glGetActiveUniform tells of it.
+struct ActiveUniform {
+    std::string name; // arrays without "[0]"
+    GLint location = -1;
+    GLenum type = 0;
+    GLint elements = 1;
+};
+std::vector<ActiveUniform> activeUniformsOf(const Program& program);
+
 // One message of a driver's log, mapped out of its format.
 struct LogMessage {
     int line = 0; // of the text that was sent, counted from 1; 0 where the driver names none

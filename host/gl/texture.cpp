@@ -122,6 +122,70 @@ Texture uploadSky(const Picture& picture)
     return texture;
 }
 
+namespace
+{
+
+void setFilter(GLenum kind, TextureFilter filter)
+{
+    const bool nearest = filter == TextureFilter::nearest;
+    const bool levels = filter == TextureFilter::mipmap;
+    glTexParameteri(kind, GL_TEXTURE_MAX_LEVEL, levels ? 1000 : 0);
+    if (levels)
+        glGenerateMipmap(kind);
+    glTexParameteri(kind, GL_TEXTURE_MIN_FILTER,
+                    levels    ? GL_LINEAR_MIPMAP_LINEAR
+                    : nearest ? GL_NEAREST
+                              : GL_LINEAR);
+    glTexParameteri(kind, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
+}
+
+GLint wrapOf(TextureWrap wrap)
+{
+    switch (wrap) {
+    case TextureWrap::clamp:
+        return GL_CLAMP_TO_EDGE;
+    case TextureWrap::mirror:
+        return GL_MIRRORED_REPEAT;
+    case TextureWrap::repeat:
+        break;
+    }
+    return GL_REPEAT;
+}
+
+} // namespace
+
+Texture uploadPicture(const Picture& picture, TextureFilter filter, TextureWrap wrap)
+{
+    Texture texture = uploadSingle(picture);
+    const TextureBinding binding(GL_TEXTURE_2D, texture.name());
+    setFilter(GL_TEXTURE_2D, filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrapOf(wrap));
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrapOf(wrap));
+    checkUploaded();
+    return texture;
+}
+
+Texture uploadCube(std::span<const Picture> faces, TextureFilter filter)
+{
+    constexpr GLenum kind = GL_TEXTURE_CUBE_MAP;
+    checkLimit(GL_MAX_CUBE_MAP_TEXTURE_SIZE, faces.front().width, "texels on a side of a cube");
+    Texture texture = newTexture();
+    const TextureBinding binding(kind, texture.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        const Layout layout = layoutOf(faces[i].format);
+        glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(i), 0,
+                     static_cast<GLint>(layout.stored), faces[i].width, faces[i].height, 0, GL_RGBA,
+                     layout.numberType, numbersOf(faces[i]));
+    }
+    setFilter(kind, filter);
+    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+        glTexParameteri(kind, axis, GL_CLAMP_TO_EDGE);
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    checkUploaded();
+    return texture;
+}
+
 // Nearest: float tables need not be filterable.
 Texture uploadTable(const Picture& picture)
 {

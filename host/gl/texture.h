@@ -17,6 +17,15 @@ Texture uploadPictureArray(const std::vector<std::span<const Picture>>& layers);
 // A single 2D float texture without mip levels (bilinear; repeats along s, clamps along t): the sky.
 Texture uploadSky(const Picture& picture);
 
+enum class TextureFilter { nearest, linear, mipmap };
+enum class TextureWrap { repeat, clamp, mirror };
+
+// One picture; the driver makes its mip levels where the filter asks for them.
+Texture uploadPicture(const Picture& picture, TextureFilter filter, TextureWrap wrap);
+
+// Six square pictures of one size, towards +x, -x, +y, -y, +z, -z; their first rows are t = 0.
+Texture uploadCube(std::span<const Picture> faces, TextureFilter filter);
+
 // A single 2D float texture for texelFetch alone: a table of numbers.
 Texture uploadTable(const Picture& picture);
 

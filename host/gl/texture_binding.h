@@ -13,7 +13,10 @@ class TextureBinding
 public:
     TextureBinding(GLenum kind, GLuint name) : kind_(kind)
     {
-        glGetIntegerv(kind == GL_TEXTURE_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_2D_ARRAY, &before_);
+        glGetIntegerv(kind == GL_TEXTURE_2D         ? GL_TEXTURE_BINDING_2D
+                      : kind == GL_TEXTURE_CUBE_MAP ? GL_TEXTURE_BINDING_CUBE_MAP
+                                                    : GL_TEXTURE_BINDING_2D_ARRAY,
+                      &before_);
         glBindTexture(kind, name);
     }
     TextureBinding(const TextureBinding&) = delete;

@@ -157,7 +157,7 @@ SourceText assemble(const Scene& scene, const Plan& plan, const PackedScene& pac
 {
     const auto main = glslFolder / "ray_trace.frag";
     PreprocessInput input;
-    input.folder = glslFolder;
+    input.folders = {glslFolder};
     input.features = plan.defines;
     const auto generate = [&](const char* name, const std::string& text) {
         input.generated[name] = linesOf(text, "generated");
@@ -175,7 +175,7 @@ SourceText assembleVertex(const Plan& plan, const PackedScene& packed,
 {
     const auto& values = plan.shared;
     PreprocessInput input;
-    input.folder = glslFolder;
+    input.folders = {glslFolder};
     const std::string text =
         values.empty() ? fullScreenMain()
                        : "#include \"shared/constants.glsl\"\n#include \"shared/structs.glsl\"\n"

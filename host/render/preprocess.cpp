@@ -1,6 +1,7 @@
 #include "render/preprocess.h"
 
 #include "base/file.h"
+#include "base/text.h"
 
 #include <algorithm>
 #include <optional>
@@ -38,7 +39,7 @@ std::optional<Directive> directiveOf(std::string_view line)
 class Preprocessor
 {
 public:
-    explicit Preprocessor(const PreprocessInput& input) : input_(input) {}
+    explicit Preprocessor(const PreprocessInput& input) : input_(input), features_(input.features) {}
 
     void take(const SourceText& source)
     {
@@ -76,6 +77,9 @@ private:
         } else if (directive && directive->name == "include") {
             include(directive->argument, where);
         } else {
+            if (directive && directive->name == "define" && directive->argument.starts_with("HAS_"))
+                features_.insert(
+                    std::string(directive->argument.substr(0, directive->argument.find_first_of(" \t("))));
             result_.push_back(line);
         }
     }
@@ -83,7 +87,7 @@ private:
     void open(const Directive& directive, const SourcePosition& where, const SourceLine& line)
     {
         const bool ours = directive.argument.starts_with("HAS_") && directive.name != "if";
-        const bool present = input_.features.contains(std::string(directive.argument));
+        const bool present = features_.contains(std::string(directive.argument));
         if (!ours && emitting())
             result_.push_back(line);
         conditions_.push_back({ours, !ours || present == (directive.name == "ifdef"), where});
@@ -127,14 +131,18 @@ private:
     {
         if (const auto found = input_.generated.find(name); found != input_.generated.end())
             return found->second;
-        const auto path = input_.folder / name;
-        if (!std::filesystem::is_regular_file(path))
-            fail(ExitCode::inputMissing, where, "\"" + name + "\" is not in " + input_.folder.string(),
-                 "correct the name; it is relative to that folder");
-        return linesOf(readFile(path), path.string());
+        std::vector<std::string> folders;
+        for (const auto& folder : input_.folders) {
+            if (std::filesystem::is_regular_file(folder / name))
+                return linesOf(readFile(folder / name), (folder / name).string());
+            folders.push_back(folder.string());
+        }
+        fail(ExitCode::inputMissing, where, "\"" + name + "\" is not in " + join(folders, " or "),
+             "correct the name; it is relative to that folder");
     }
 
     const PreprocessInput& input_;
+    std::set<std::string> features_; // given, and defined in the text so far
     SourceText result_;
     std::vector<Condition> conditions_;
     std::vector<std::string> open_; // includes that are being read, for cycles

@@ -12,9 +12,9 @@ namespace dioptre
 {
 
 struct PreprocessInput {
-    std::filesystem::path folder;                // that #include names are relative to
+    std::vector<std::filesystem::path> folders;  // where #include names are looked for, in turn
     std::map<std::string, SourceText> generated; // includes that the assembler wrote itself, by name
-    std::set<std::string> features;              // names that #ifdef and #ifndef ask for
+    std::set<std::string> features; // HAS_ names that are there, beside those that the text defines
 };
 
 // Resolves every #include, and every #ifdef, #ifndef, #else, #endif on a name that begins with HAS_. Each

@@ -1,4 +1,4 @@
-// From a scene or a plain shader to a picture, with the time of each step.
+// From a scene to a picture, with the time of each step.
 #pragma once
 
 #include "base/picture.h"
@@ -15,7 +15,6 @@ namespace dioptre
 
 struct StillSettings : ViewSettings {
     std::function<void(double)> progress; // told the share that is drawn, 0..1; may be empty
-    double time_s = 0.0;                  // a plain shader's u_time; a scene was read at its time
 };
 
 // Milliseconds by a monotonic clock, one after the other; a draw is over when glFinish returns.
@@ -61,8 +60,7 @@ Still renderScene(const PreparedScene& prepared, const StillSettings& settings, 
 // The colours are multiplied by `scale`.
 void finish(Still& still, float scale, double raysScale);
 
-// A plain fragment shader with its own main(): one sample a pixel, no decoding and no encoding. u_resolution
-// and u_time are fed where declared.
-Still renderPlain(const std::filesystem::path& shader, const StillSettings& settings);
+// Pixels with a channel, alpha apart, that is NaN or infinite.
+std::size_t countNonfinite(const Picture& picture);
 
 } // namespace dioptre

@@ -30,6 +30,9 @@ std::string scene(const std::string& text)
     return "printf '" + text + "' >bad.toml";
 }
 
+// p.frag in Shadertoy's manner.
+const std::string plainShader =
+    "printf 'void mainImage(out vec4 o, in vec2 p)\n{\n    o = vec4(1.0);\n}\n' >p.frag";
 const std::string small = " --size 16x9 --spp 1 -o a.png";
 const std::string renderBad = "dioptre render bad.toml" + small;
 
@@ -45,6 +48,45 @@ const std::vector<Case> cases = {
     {"UnknownOptionOfList", "", "dioptre list --yaml", 2, {"--yaml", "dioptre list --help"}},
     {"SizeOfNonsense", "", "dioptre render still_life --size 16by9 -o a.png", 2, {"16by9", "WIDTHxHEIGHT"}},
     {"SizeOfZero", "", "dioptre render still_life --size 0x9 -o a.png", 2, {"0x9"}},
+    {"ChannelOfAScene",
+     "",
+     "dioptre render spheres --channel0 a.png -o b.png",
+     2,
+     {"--channel0", "plain shaders"}},
+    {"MouseOfNonsense", plainShader, "dioptre render p.frag --mouse 3 -o a.png", 2, {"--mouse 3", "X,Y"}},
+    {"ChannelThatIsMissing", plainShader, "dioptre render p.frag --channel1 no.png -o a.png", 66, {"no.png"}},
+    {"ChannelFilterOfNonsense",
+     plainShader,
+     "dioptre render p.frag --channel1 'no.png?filter=soft' -o a.png",
+     2,
+     {"--channel1", "filter=nearest"}},
+    {"CubeOfTwoFaces", plainShader, "dioptre render p.frag --channel1 a.png,b.png -o a.png", 2, {"six"}},
+    {"CubeOfOblongFaces",
+     plainShader + "; dioptre render p.frag --size 4x2 -o f.png 2>/dev/null",
+     "dioptre render p.frag --channel1 f.png,f.png,f.png,f.png,f.png,f.png -o a.png",
+     65,
+     {"f.png", "squares", "4x2"}},
+    {"CrossOfNoFaces",
+     plainShader + "; dioptre render p.frag --size 4x2 -o f.png 2>/dev/null",
+     "dioptre render p.frag --channel1 'f.png?cube' -o a.png",
+     65,
+     {"f.png", "4 by 3"}},
+    {"SetThatDoesNotFit",
+     "printf 'uniform int n;\nvoid main()\n{\n    gl_FragColor = vec4(float(n));\n}\n' >p.frag",
+     "dioptre render p.frag --set n=1.5 -o a.png",
+     2,
+     {"--set n=1.5", "int"}},
+    {"SetWithoutAValue", plainShader, "dioptre render p.frag --set n -o a.png", 2, {"--set n", "NAME=VALUE"}},
+    {"SamplerThatNothingFeeds",
+     "printf 'uniform sampler2D s;\nvoid main()\n{\n    gl_FragColor = texture(s, vec2(0.5));\n}\n' >p.frag",
+     "dioptre render p.frag -o a.png",
+     65,
+     {"p.frag", "sampler s", "iChannel0"}},
+    {"ShaderWithoutMain",
+     "printf 'float x;\n' >p.frag",
+     "dioptre render p.frag -o a.png",
+     65,
+     {"p.frag", "mainImage"}},
     {"SizeThatOverflows",
      "",
      "dioptre render still_life --size 4294967306x10 -o a.png",

@@ -1,0 +1,44 @@
+// The pictures of a plain shader: iChannel0 to iChannel3.
+#pragma once
+
+#include "base/picture.h"
+#include "gl/texture.h"
+#include "render/plain_text.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace dioptre
+{
+
+// As --channelN says: FILE, a cube's six FILE,FILE,… towards +x -x +y -y +z -z, or a cross of them; then, if
+// wanted, ?filter=nearest|linear|mipmap&wrap=repeat|clamp|mirror&flip=yes|no&cube.
+struct ChannelSource {
+    std::vector<std::string> files; // one, or a cube's six
+    TextureFilter filter = TextureFilter::mipmap;
+    TextureWrap wrap = TextureWrap::repeat;
+    bool flip = true; // whether t = 0 is the picture's lowest row; cubes are never flipped
+    bool cross = false;
+    ChannelKind kind() const
+    {
+        return files.size() == 6 || cross ? ChannelKind::cube : ChannelKind::picture;
+    }
+};
+
+// Throws usage for words that are none of these. "" is an empty channel: black.
+ChannelSource channelSource(const std::string& option, std::size_t channel);
+
+struct Channel {
+    Texture texture;
+    GLenum target = GL_TEXTURE_2D;
+    glm::ivec2 size_px{0, 0}; // of level 0; 0 where the channel is empty
+};
+
+// Loads and uploads. The bytes are read as they stand, never decoded, as on Shadertoy. Throws inputMissing
+// and badInput.
+Channel makeChannel(const ChannelSource& source);
+
+} // namespace dioptre

@@ -1,0 +1,177 @@
+#include "render/plain_uniforms.h"
+
+#include "base/text.h"
+#include "gl/uniform.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace dioptre
+{
+namespace
+{
+
+using Numbers = UniformType::Numbers;
+
+// "0.5", "true", "[1, 2, 3]", "1,2,3", "#ff8000" (linear shares of 255, as a shader takes them).
+std::optional<std::vector<double>> numbersIn(std::string text)
+{
+    if (text.starts_with('#') && text.size() == 7) {
+        std::vector<double> colour;
+        for (std::size_t i = 1; i < 7; i += 2) {
+            int byte = 0;
+            const auto [end, fault] = std::from_chars(&text[i], &text[i] + 2, byte, 16);
+            if (fault != std::errc() || end != &text[i] + 2)
+                return std::nullopt;
+            colour.push_back(byte / 255.0);
+        }
+        return colour;
+    }
+    if (text.starts_with('[') && text.ends_with(']'))
+        text = text.substr(1, text.size() - 2);
+    std::vector<double> numbers;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const auto comma = std::min(text.find(',', begin), text.size());
+        std::string word = text.substr(begin, comma - begin);
+        std::erase(word, ' ');
+        begin = comma + 1;
+        double number = word == "true" ? 1.0 : 0.0;
+        if (word != "true" && word != "false") {
+            const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), number);
+            if (word.empty() || fault != std::errc() || end != word.data() + word.size())
+                return std::nullopt;
+        }
+        numbers.push_back(number);
+    }
+    return numbers;
+}
+
+std::vector<double> valueFor(const UniformType& type, const ActiveUniform& uniform, const std::string& text)
+{
+    const auto numbers = numbersIn(text);
+    const auto wanted = numbersOf(type, uniform);
+    if (!numbers || numbers->size() != wanted ||
+        !std::ranges::all_of(*numbers, [&](double number) { return fits(type, number); }))
+        fail(ExitCode::usage,
+             fmt::format("--set {}={} does not fit the uniform, a {}{}", uniform.name, text, type.name,
+                         uniform.elements > 1 ? fmt::format("[{}]", uniform.elements) : ""),
+             fmt::format("give {} number{}", wanted, wanted == 1 ? "" : "s, as in [1, 2]"));
+    return *numbers;
+}
+
+// "uniform float u_speed = 2.0;"
+bool hasInitialValue(const SourceText& text, const std::string& name)
+{
+    bool inComment = false;
+    for (const auto& line : text) {
+        const auto words = identifiers(line.text, inComment);
+        const auto declares = std::ranges::find(words, "uniform");
+        if (declares == words.end())
+            continue;
+        const auto found = std::find(declares, words.end(), name);
+        if (found == words.end())
+            continue;
+        const auto after = static_cast<std::size_t>(found->data() - line.text.data()) + name.size();
+        const auto next = line.text.find_first_not_of(" \t", after);
+        if (next != std::string::npos && line.text[next] == '=')
+            return true;
+    }
+    return false;
+}
+
+void refuseUnknown(const PlainValues& values, const std::vector<ActiveUniform>& uniforms,
+                   const std::filesystem::path& shader)
+{
+    std::vector<std::string> names;
+    for (const auto& uniform : uniforms)
+        names.push_back(uniform.name);
+    for (const auto& [name, value] : values) {
+        if (std::ranges::find(names, name) != names.end())
+            continue;
+        const auto nearest = nearestWord(name, names);
+        fail(ExitCode::usage,
+             fmt::format("--set {}={}: {} reads no uniform of that name", name, value, shader.string()),
+             nearest.empty() ? "it reads " + (names.empty() ? "none" : join(names, ", "))
+                             : "did you mean '" + nearest + "'?");
+    }
+}
+
+// Samplers are the channels, in units of the same numbers.
+void setChannel(const UniformType& type, const ActiveUniform& uniform, const std::filesystem::path& shader)
+{
+    const std::string prefix = "iChannel";
+    const char last = uniform.name.back();
+    if (uniform.name.size() != prefix.size() + 1 || !uniform.name.starts_with(prefix) || last < '0' ||
+        last > '3')
+        fail(ExitCode::badInput, {shader.string()}, "nothing feeds the sampler " + uniform.name,
+             "call it iChannel0 to iChannel3 and give --channel0 FILE");
+    setUniform(type, uniform, {static_cast<double>(last - '0')});
+}
+
+} // namespace
+
+std::map<std::string, std::vector<double>> hostUniforms(const PlainFrame& frame, int width, int height,
+                                                        const std::array<glm::ivec2, 4>& channelSizes_px)
+{
+    const double time = frame.time_s;
+    const double number = std::clamp(std::floor(time * frame.rate + 0.5), -2147483648.0, 2147483647.0);
+    // Equal runs draw equal pictures: the date is always the same day, at as many seconds as the time.
+    const std::vector<double> date = {2026.0, 0.0, 1.0, time};
+    const Mouse mouse = frame.mouse.value_or(Mouse{});
+    const double sign = mouse.down ? 1.0 : -1.0;
+    std::vector<double> sizes;
+    for (const auto& size : channelSizes_px)
+        sizes.insert(sizes.end(),
+                     {static_cast<double>(size.x), static_cast<double>(size.y), size.x > 0 ? 1.0 : 0.0});
+    const std::vector<double> resolution = {static_cast<double>(width), static_cast<double>(height), 1.0};
+    const std::vector<double> pointer = {mouse.x_px, mouse.y_px};
+    return {{"iResolution", resolution},
+            {"iTime", {time}},
+            {"iTimeDelta", {1.0 / frame.rate}},
+            {"iFrameRate", {frame.rate}},
+            {"iFrame", {number}},
+            {"iDate", date},
+            {"iMouse", {mouse.x_px, mouse.y_px, sign * mouse.x_px, sign * mouse.y_px}},
+            {"iSampleRate", {44100.0}},
+            {"iChannelTime", {time, time, time, time}},
+            {"iChannelResolution", sizes},
+            {"u_resolution", resolution},
+            {"u_time", {time}},
+            {"u_delta", {1.0 / frame.rate}},
+            {"u_frame", {number}},
+            {"u_date", date},
+            {"u_mouse", pointer}};
+}
+
+void feed(const Program& program, const std::map<std::string, std::vector<double>>& host,
+          const PlainValues& values, const std::filesystem::path& shader, const SourceText& text)
+{
+    const auto uniforms = activeUniformsOf(program);
+    refuseUnknown(values, uniforms, shader);
+    for (const auto& uniform : uniforms) {
+        const UniformType* type = uniformType(uniform.type);
+        if (type == nullptr)
+            fail(ExitCode::badInput, {shader.string()},
+                 "the uniform " + uniform.name + " is of a type that dioptre does not feed",
+                 "use bool, int, uint, float, their vectors, mat2 to mat4, sampler2D, samplerCube");
+        const auto value = values.find(uniform.name);
+        const auto known = host.find(uniform.name);
+        if (type->numbers == Numbers::sampler) {
+            setChannel(*type, uniform, shader);
+        } else if (value != values.end()) {
+            setUniform(*type, uniform, valueFor(*type, uniform, value->second));
+        } else if (known != host.end()) {
+            auto numbers = known->second;
+            numbers.resize(numbersOf(*type, uniform), 0.0);
+            setUniform(*type, uniform, numbers);
+        } else if (!hasInitialValue(text, uniform.name)) {
+            fail(ExitCode::badInput, {shader.string()}, "nothing feeds the uniform " + uniform.name,
+                 fmt::format("give --set {}=VALUE, or a value in its declaration", uniform.name));
+        }
+    }
+}
+
+} // namespace dioptre
