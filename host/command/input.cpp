@@ -50,14 +50,29 @@ PictureCache pictureCache()
     return {};
 }
 
-std::vector<std::string> galleryNames()
+namespace
+{
+
+std::vector<std::string> galleryWith(const std::string& extension)
 {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(glslFolder() / "scenes"))
-        if (entry.path().extension() == ".toml")
+        if (entry.path().extension() == extension)
             names.push_back(entry.path().stem().string());
     std::sort(names.begin(), names.end());
     return names;
+}
+
+} // namespace
+
+std::vector<std::string> galleryNames()
+{
+    return galleryWith(".toml");
+}
+
+std::vector<std::string> galleryShaders()
+{
+    return galleryWith(".frag");
 }
 
 Input findInput(const std::string& text)
@@ -69,9 +84,13 @@ Input findInput(const std::string& text)
             fail(ExitCode::inputMissing, text + " is no file that can be read", "check the path");
         return {path, path.stem().string(), extension != ".toml"};
     }
-    const auto names = galleryNames();
-    if (std::find(names.begin(), names.end(), text) != names.end())
+    auto names = galleryNames();
+    if (std::ranges::find(names, text) != names.end())
         return {glslFolder() / "scenes" / (text + ".toml"), text, false};
+    const auto shaders = galleryShaders();
+    if (std::ranges::find(shaders, text) != shaders.end())
+        return {glslFolder() / "scenes" / (text + ".frag"), text, true};
+    names.insert(names.end(), shaders.begin(), shaders.end());
     const auto nearest = nearestWord(text, names);
     fail(ExitCode::inputMissing,
          "'" + text + "' is neither a scene of the gallery nor a .toml, .frag or .glsl file",

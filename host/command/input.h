@@ -18,8 +18,9 @@ std::filesystem::path glslFolder();
 // or in ~/.cache.
 PictureCache pictureCache();
 
-// Names of the gallery's scenes, sorted.
+// Names of the gallery's scenes, sorted; and of its plain shaders.
 std::vector<std::string> galleryNames();
+std::vector<std::string> galleryShaders();
 
 struct Input {
     std::filesystem::path path;

@@ -1,3 +1,4 @@
+#include "base/file.h"
 #include "base/text.h"
 #include "command/command.h"
 #include "command/input.h"
@@ -40,6 +41,19 @@ Rows scenes()
     return rows;
 }
 
+// Plain shaders say what they are in the first sentence of their heading comment.
+Rows shaders()
+{
+    Rows rows;
+    for (const std::string& name : galleryShaders()) {
+        const std::string text = readFile(findInput(name).path);
+        const auto start = std::min(text.find_first_not_of("/ "), text.size());
+        rows.push_back(
+            {{"name", name}, {"title", text.substr(start, text.find_first_of(".\n", start) - start)}});
+    }
+    return rows;
+}
+
 // From any table whose entries have a name and a meaning.
 template <class Table>
 Rows namesIn(const Table& table)
@@ -60,11 +74,8 @@ Rows views()
 
 std::vector<Listing> listings()
 {
-    return {{"scenes", scenes()},
-            {"orders", namesIn(treeOrders)},
-            {"forms", namesIn(sceneForms)},
-            {"views", views()},
-            {"backends", namesIn(backendChoices())}};
+    return {{"scenes", scenes()},           {"shaders", shaders()}, {"orders", namesIn(treeOrders)},
+            {"forms", namesIn(sceneForms)}, {"views", views()},     {"backends", namesIn(backendChoices())}};
 }
 
 // A count reads "10 objects"; a text stands for itself.
