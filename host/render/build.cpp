@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 
 namespace dioptre
@@ -9,6 +10,14 @@ namespace dioptre
 
 namespace
 {
+
+// Whose text it is at last, for messages without a line, as linkers write them.
+std::string authorFile(const SourceText& source)
+{
+    const auto written = std::find_if(source.rbegin(), source.rend(),
+                                      [](const SourceLine& line) { return line.file != "generated"; });
+    return written == source.rend() ? "generated" : written->file;
+}
 
 // Runs `build` and leads the driver's messages back to the lines of the stage that they speak of.
 Program mapped(const SourceText& fragment, const SourceText& vertex, const std::function<Program()>& build)
@@ -24,7 +33,7 @@ Program mapped(const SourceText& fragment, const SourceText& vertex, const std::
                 text += fmt::format("{}:{}: {}\n    {}\n", source[index].file, source[index].line,
                                     message.text, source[index].text);
             else
-                text += message.text + "\n";
+                text += authorFile(source) + ": " + message.text + "\n";
         }
         fail(ExitCode::badInput, text + "the shader does not compile", "mend the lines named above");
     }
