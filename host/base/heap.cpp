@@ -37,9 +37,10 @@ void keepLargeBlocks()
     ::mallopt(M_TOP_PAD, reserve);
     ::mallopt(M_ARENA_MAX, 1); // threads share that heap
     const auto begin = reinterpret_cast<std::uintptr_t>(::sbrk(0));
-    void* volatile block = std::malloc(MiB); // more than is left: the heap grows by this and the padding
-    std::free(block);
+    // More than is free: the heap grows by this, less what is free at its end, and the padding.
+    void* volatile block = std::malloc(::mallinfo2().fordblks + MiB);
     const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0));
+    std::free(block); // may give the system what stands above the padding
     // Under a limit of memory a heap that asks for so much at once gets nothing: back to the usual steps.
     if (end - begin < reserve) {
         ::mallopt(M_MMAP_THRESHOLD, 128 << 10);
