@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ ExitCode runCommandLine(const std::vector<std::string>& arguments);
 // What `dioptre render` was asked for.
 struct RenderOptions {
     std::string input;   // gallery name, scene file, or plain shader
-    std::string output;  // .png or .exr; the input's name with .png in the current folder where empty
+    std::string output;  // .png, .hdr or .exr; the input's name with .png in the current folder where empty
     int width = 1280;    // pixels
     int height = 720;    // pixels
     int samples = 16;    // a pixel
@@ -23,9 +24,14 @@ struct RenderOptions {
     int budget = 0;      // rays a sample; 0 leaves it to the scene
     std::vector<std::string> overrides; // path=value
     std::string backend = "auto";
-    std::string view;       // data in place of light; "" for none
-    bool half = false;      // EXR in 16-bit floats
-    bool reference = false; // in double precision on the CPU
+    std::string view;                // data in place of light; "" for none
+    bool half = false;               // EXR in 16-bit floats
+    int bits = 0;                    // of a PNG's channels, 8 or 16; 0 where unset
+    std::optional<double> exposure;  // stops; the scene's where unset
+    std::string curve;               // of toneCurves; "" leaves it to the scene
+    std::string gamma;               // "srgb" or a number; "" leaves it to the scene
+    std::vector<std::string> layers; // channels beside an EXR's colours
+    bool reference = false;          // in double precision on the CPU
     bool why = false;
     std::string shader; // file for the assembled shader; "" for none
     bool json = false;
