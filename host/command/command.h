@@ -64,7 +64,7 @@ ExitCode doctor(const DoctorOptions& options);
 struct ListOptions {
     bool json = false;
 };
-// Prints the words that the other commands take: scenes, orders, forms, backends.
+// Prints the words that the other commands take: scenes, orders, forms, views, layers, curves, backends.
 ExitCode list(const ListOptions& options);
 
 } // namespace dioptre

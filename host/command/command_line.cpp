@@ -126,7 +126,7 @@ void addDoctor(CLI::App& app, DoctorOptions& options)
 void addList(CLI::App& app, ListOptions& options)
 {
     auto* command =
-        app.add_subcommand("list", "name the scenes, tree orders, forms, views and backends there are");
+        app.add_subcommand("list", "name the scenes, tree orders, forms, views, layers, curves and backends");
     command->add_flag("--json", options.json, "print them as JSON");
 }
 
