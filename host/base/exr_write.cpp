@@ -40,21 +40,46 @@ std::vector<Number> topDownRgb(const Picture& picture)
     return numbers;
 }
 
+// The rows of a layer from the top down.
+std::vector<float> topDown(const ExrLayer& layer, std::size_t width)
+{
+    std::vector<float> numbers;
+    numbers.reserve(layer.numbers.size());
+    for (auto row = layer.numbers.end(); row != layer.numbers.begin();) {
+        row -= static_cast<std::ptrdiff_t>(width);
+        numbers.insert(numbers.end(), row, row + static_cast<std::ptrdiff_t>(width));
+    }
+    return numbers;
+}
+
+// Numbers that stand `stride` apart as a channel of the file.
 template <typename Number>
-std::string encode(const Picture& picture, Imf::PixelType type, const Settings& settings)
+void insertChannel(Imf::Header& header, Imf::FrameBuffer& frame, const std::string& name, Imf::PixelType type,
+                   const Number* first, std::size_t stride)
+{
+    header.channels().insert(name, Imf::Channel(type));
+    frame.insert(name, Imf::Slice::Make(type, first, header.dataWindow(), stride * sizeof(Number),
+                                        stride * sizeof(Number) *
+                                            static_cast<std::size_t>(header.dataWindow().max.x + 1)));
+}
+
+template <typename Number>
+std::string encode(const Picture& picture, Imf::PixelType type, const Settings& settings,
+                   const std::vector<ExrLayer>& layers)
 {
     Imf::Header header(picture.width, picture.height);
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const auto& [key, value] : settings)
         header.insert(key, Imf::StringAttribute(value));
-    std::vector<Number> numbers = topDownRgb<Number>(picture);
+    const std::vector<Number> numbers = topDownRgb<Number>(picture);
     Imf::FrameBuffer frame;
     std::size_t slot = 0;
-    for (const char* name : {"R", "G", "B"}) {
-        header.channels().insert(name, Imf::Channel(type));
-        frame.insert(name,
-                     Imf::Slice::Make(type, numbers.data() + slot++, header.dataWindow(), 3 * sizeof(Number),
-                                      3 * sizeof(Number) * static_cast<std::size_t>(picture.width)));
+    for (const char* name : {"R", "G", "B"})
+        insertChannel(header, frame, name, type, numbers.data() + slot++, 3);
+    std::vector<std::vector<float>> planes;
+    for (const ExrLayer& layer : layers) {
+        planes.push_back(topDown(layer, static_cast<std::size_t>(picture.width)));
+        insertChannel(header, frame, layer.channel, Imf::FLOAT, planes.back().data(), 1);
     }
     Imf::StdOSStream stream;
     {
@@ -70,12 +95,12 @@ std::string encode(const Picture& picture, Imf::PixelType type, const Settings& 
 // Encoded in memory first, so that a full disk is noticed by writeFile: OpenEXR's destructor would keep
 // silent about it.
 void writeExr(const std::filesystem::path& path, const Picture& picture, ExrDepth depth,
-              const Settings& settings)
+              const Settings& settings, const std::vector<ExrLayer>& layers)
 {
     std::string bytes;
     try {
-        bytes = depth == ExrDepth::half ? encode<Imath::half>(picture, Imf::HALF, settings)
-                                        : encode<float>(picture, Imf::FLOAT, settings);
+        bytes = depth == ExrDepth::half ? encode<Imath::half>(picture, Imf::HALF, settings, layers)
+                                        : encode<float>(picture, Imf::FLOAT, settings, layers);
     } catch (const std::exception& fault) {
         fail(ExitCode::cannotWrite, {path.string()}, fault.what(), "write a PNG in its place");
     }

@@ -45,7 +45,8 @@ std::vector<Picture> mipmaps(Picture picture);
 std::uint8_t srgb8FromLinear(float linear);
 float linearFromSrgb8(std::uint8_t encoded);
 
-// Key and value pairs for a PNG's tEXt chunks or an EXR's header: what made the picture.
+// Key and value pairs for a PNG's tEXt chunks, an EXR's header or a Radiance picture's: what made the
+// picture.
 using Settings = std::map<std::string, std::string>;
 
 // Writes 8-bit RGB. The first three of the four channels of a float32 picture are sRGB-encoded when `encode`
@@ -53,10 +54,32 @@ using Settings = std::map<std::string, std::string>;
 void writePng(const std::filesystem::path& path, const Picture& picture, bool encode,
               const Settings& settings);
 
+// How a PNG holds the numbers of a float32 picture.
+struct PngForm {
+    bool encode = true;            // by the sRGB curve or by `gamma`; otherwise 0..1 are scaled
+    std::optional<double> gamma{}; // x^(1/gamma) in place of sRGB, which the gAMA chunk then says; above 0
+    int bits = 8;                  // a channel: 8 or 16
+};
+
+// The same in any of the forms. Values outside 0..1 are clamped, NaN gives 0.
+void writePng(const std::filesystem::path& path, const Picture& picture, const PngForm& form,
+              const Settings& settings);
+
 enum class ExrDepth { half, full };
 
-// Writes the R, G, B channels of a float32 picture, ZIP-compressed. Throws cannotWrite.
+// Channels of an EXR beside R, G and B, one number a pixel each; always 32-bit floats.
+struct ExrLayer {
+    std::string channel;        // "depth.Z"
+    std::vector<float> numbers; // width * height, rows from the bottom up
+};
+
+// Writes the R, G, B channels of a float32 picture and the layers, ZIP-compressed. Throws cannotWrite.
 void writeExr(const std::filesystem::path& path, const Picture& picture, ExrDepth depth,
-              const Settings& settings);
+              const Settings& settings, const std::vector<ExrLayer>& layers = {});
+
+// Writes the R, G, B of a float32 picture as Radiance RGBE: 8 bits under an exponent that they share, rounded
+// to nearest. What it cannot hold: negative numbers and NaN become 0, numbers beyond 1.69e38 that number.
+// Throws cannotWrite.
+void writeRadiance(const std::filesystem::path& path, const Picture& picture, const Settings& settings);
 
 } // namespace dioptre

@@ -7,8 +7,8 @@
 #include <spng.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <memory>
 #include <string_view>
 
@@ -22,31 +22,50 @@ namespace
 constexpr int fastestDeflate = 1;
 constexpr int runLengthStrategy = 3;
 
-// R, G, B of each texel, from the top down; `byteOf` makes a byte of one of `numbers`.
-template <typename Number, typename ByteOf>
-std::vector<std::uint8_t> topDownRgb(const Picture& picture, const std::vector<Number>& numbers,
-                                     ByteOf byteOf)
+// R, G, B of each texel, from the top down; `codeOf` makes a code of one of `numbers`.
+template <typename Code, typename Number, typename CodeOf>
+std::vector<Code> topDownRgb(const Picture& picture, const std::vector<Number>& numbers, CodeOf codeOf)
 {
     const auto width = static_cast<std::size_t>(picture.width),
                height = static_cast<std::size_t>(picture.height);
-    std::vector<std::uint8_t> bytes(3 * width * height);
-    std::uint8_t* next = bytes.data();
+    std::vector<Code> codes(3 * width * height);
+    Code* next = codes.data();
     for (std::size_t row = height; row-- > 0;) {
         const Number* texel = numbers.data() + 4 * row * width;
         for (std::size_t x = 0; x < width; ++x, texel += 4) {
-            *next++ = byteOf(texel[0]);
-            *next++ = byteOf(texel[1]);
-            *next++ = byteOf(texel[2]);
+            *next++ = codeOf(texel[0]);
+            *next++ = codeOf(texel[1]);
+            *next++ = codeOf(texel[2]);
         }
     }
-    return bytes;
+    return codes;
 }
 
-std::vector<std::uint8_t> topDownRgb(const Picture& picture, bool encode)
+// 0..1 as the file holds it, before it is scaled to whole numbers; the clamping makes NaN 0.
+double transferred(float value, const PngForm& form)
+{
+    const double unit = value > 0.0F ? std::min(static_cast<double>(value), 1.0) : 0.0;
+    if (!form.encode)
+        return unit;
+    return form.gamma ? std::pow(unit, 1.0 / *form.gamma) : srgbFromLinear(unit);
+}
+
+std::vector<std::uint8_t> codes8(const Picture& picture, const PngForm& form)
 {
     if (picture.format != PixelFormat::float32)
-        return topDownRgb(picture, picture.bytes, [](std::uint8_t byte) { return byte; });
-    return topDownRgb(picture, picture.floats, encode ? srgb8FromLinear : byteFromUnit);
+        return topDownRgb<std::uint8_t>(picture, picture.bytes, [](std::uint8_t byte) { return byte; });
+    if (form.encode && form.gamma)
+        return topDownRgb<std::uint8_t>(picture, picture.floats, [&form](float value) {
+            return static_cast<std::uint8_t>(255.0 * transferred(value, form) + 0.5);
+        });
+    return topDownRgb<std::uint8_t>(picture, picture.floats, form.encode ? srgb8FromLinear : byteFromUnit);
+}
+
+std::vector<std::uint16_t> codes16(const Picture& picture, const PngForm& form)
+{
+    return topDownRgb<std::uint16_t>(picture, picture.floats, [&form](float value) {
+        return static_cast<std::uint16_t>(65535.0 * transferred(value, form) + 0.5);
+    });
 }
 
 // tEXt holds Latin-1, so text beyond ASCII (it is UTF-8) goes into iTXt. Empty values are left out: libspng
@@ -84,21 +103,27 @@ public:
         check(spng_set_option(context_.get(), option, value));
     }
 
-    void describe(const Picture& picture, std::vector<spng_text> chunks)
+    void describe(const Picture& picture, const PngForm& form, std::vector<spng_text> chunks)
     {
         spng_ihdr header{};
         header.width = static_cast<std::uint32_t>(picture.width);
         header.height = static_cast<std::uint32_t>(picture.height);
-        header.bit_depth = 8;
+        header.bit_depth = static_cast<std::uint8_t>(form.bits);
         header.color_type = SPNG_COLOR_TYPE_TRUECOLOR;
         check(spng_set_ihdr(context_.get(), &header));
+        if (form.encode && form.gamma)
+            check(spng_set_gama_int(context_.get(),
+                                    static_cast<std::uint32_t>(std::lround(100000.0 / *form.gamma))));
         if (!chunks.empty())
             check(spng_set_text(context_.get(), chunks.data(), static_cast<std::uint32_t>(chunks.size())));
     }
 
-    std::string encode(const std::vector<std::uint8_t>& rgb)
+    // Codes of 16 bits are in the order of the machine; libspng turns them.
+    template <typename Code>
+    std::string encode(const std::vector<Code>& rgb)
     {
-        check(spng_encode_image(context_.get(), rgb.data(), rgb.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE));
+        check(spng_encode_image(context_.get(), rgb.data(), rgb.size() * sizeof(Code), SPNG_FMT_PNG,
+                                SPNG_ENCODE_FINALIZE));
         int outcome = 0;
         std::size_t size = 0;
         const std::unique_ptr<void, void (*)(void*)> buffer(
@@ -122,15 +147,22 @@ private:
 } // namespace
 
 // Fast before small: the default deflate level takes longer than the render.
-void writePng(const std::filesystem::path& path, const Picture& picture, bool encode,
+void writePng(const std::filesystem::path& path, const Picture& picture, const PngForm& form,
               const Settings& settings)
 {
     PngWriter writer(path);
     writer.set(SPNG_IMG_COMPRESSION_LEVEL, fastestDeflate);
     writer.set(SPNG_IMG_COMPRESSION_STRATEGY, runLengthStrategy);
     writer.set(SPNG_FILTER_CHOICE, SPNG_FILTER_CHOICE_SUB);
-    writer.describe(picture, textChunks(settings));
-    writeFile(path, writer.encode(topDownRgb(picture, encode)));
+    writer.describe(picture, form, textChunks(settings));
+    writeFile(path,
+              form.bits == 16 ? writer.encode(codes16(picture, form)) : writer.encode(codes8(picture, form)));
+}
+
+void writePng(const std::filesystem::path& path, const Picture& picture, bool encode,
+              const Settings& settings)
+{
+    writePng(path, picture, PngForm{encode}, settings);
 }
 
 } // namespace dioptre

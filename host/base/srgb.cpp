@@ -11,12 +11,7 @@ namespace dioptre
 namespace
 {
 
-// IEC 61966-2-1, the definition that the table below must reproduce for every float.
-double srgbFromLinear(double linear)
-{
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
-
+// What the table below must reproduce for every float.
 int srgb8ByDefinition(float linear)
 {
     return static_cast<int>(std::floor(srgbFromLinear(linear) * 255.0 + 0.5));
@@ -75,6 +70,11 @@ std::array<float, 256> makeDecoded()
 double linearFromSrgb(double encoded)
 {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+double srgbFromLinear(double linear)
+{
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
 }
 
 std::uint8_t byteFromUnit(float value)

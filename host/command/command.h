@@ -4,6 +4,7 @@
 #include "base/error.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ ExitCode runCommandLine(const std::vector<std::string>& arguments);
 // What `dioptre render` was asked for.
 struct RenderOptions {
     std::string input;   // gallery name, scene file, or plain shader
-    std::string output;  // .png or .exr; the input's name with .png in the current folder where empty
+    std::string output;  // .png, .hdr or .exr; the input's name with .png in the current folder where empty
     int width = 1280;    // pixels
     int height = 720;    // pixels
     int samples = 16;    // a pixel
@@ -26,9 +27,14 @@ struct RenderOptions {
     std::array<std::string, 4> channels; // of a plain shader: see ChannelSource
     std::string mouse;                   // of a plain shader: "X,Y" or "X,Y,down"; "" for never touched
     std::string backend = "auto";
-    std::string view;       // data in place of light; "" for none
-    bool half = false;      // EXR in 16-bit floats
-    bool reference = false; // in double precision on the CPU
+    std::string view;                // data in place of light; "" for none
+    bool half = false;               // EXR in 16-bit floats
+    int bits = 0;                    // of a PNG's channels, 8 or 16; 0 where unset
+    std::optional<double> exposure;  // stops; the scene's where unset
+    std::string curve;               // of toneCurves; "" leaves it to the scene
+    std::string gamma;               // "srgb" or a number; "" leaves it to the scene
+    std::vector<std::string> layers; // channels beside an EXR's colours
+    bool reference = false;          // in double precision on the CPU
     bool why = false;
     std::string shader; // file for the assembled shader; "" for none
     bool json = false;
@@ -61,7 +67,7 @@ ExitCode doctor(const DoctorOptions& options);
 struct ListOptions {
     bool json = false;
 };
-// Prints the words that the other commands take: scenes, orders, forms, backends.
+// Prints the words that the other commands take: scenes, orders, forms, views, layers, curves, backends.
 ExitCode list(const ListOptions& options);
 
 } // namespace dioptre

@@ -5,6 +5,8 @@
 #include "command/size_option.h"
 #include "gl/context.h"
 #include "render/data_view.h"
+#include "render/layers.h"
+#include "scene/choices.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -25,6 +27,51 @@ std::string viewHelp()
     return text + "\nsamples of a pixel are averaged, so colours mix at edges; --spp 1 keeps them apart";
 }
 
+// What each word of a table means, for --help.
+template <class Table>
+std::string meaningsOf(const Table& table)
+{
+    std::string text;
+    for (const auto& row : table)
+        text += fmt::format("\n  {} - {}", row.name, row.meaning);
+    return text;
+}
+
+std::string layerHelp()
+{
+    std::string text = "EXR: data beside the colours, separated by commas:";
+    for (const auto& row : layerRows())
+        text += fmt::format("\n  {} - {}", row.name, row.holds);
+    return text;
+}
+
+// How the picture is written.
+void addOutput(CLI::App& command, RenderOptions& options)
+{
+    command.add_option("--depth", options.bits, "PNG: bits a channel, 8 or 16; 8 by default")
+        ->check(CLI::IsMember({8, 16}))
+        ->type_name("BITS");
+    command.add_option("--exposure", options.exposure, "PNG: radiance is multiplied by 2^STOPS first")
+        ->type_name("STOPS");
+    std::vector<std::string> curves;
+    for (const auto& row : toneCurves)
+        curves.emplace_back(row.name);
+    command
+        .add_option("--curve", options.curve,
+                    "PNG: how radiance becomes 0 to 1 after the exposure:" + meaningsOf(toneCurves))
+        ->check(CLI::IsMember(curves))
+        ->type_name("CURVE");
+    command
+        .add_option("--gamma", options.gamma,
+                    "PNG: encode by srgb, the default, or by the power 1/NUMBER, after the curve")
+        ->type_name("srgb|NUMBER");
+    command.add_flag("--half", options.half, "EXR: 16-bit floats");
+    command.add_option("--layers", options.layers, layerHelp())
+        ->type_name("LAYERS")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+}
+
 void addRender(CLI::App& app, RenderOptions& options, std::string& size)
 {
     auto* command = app.add_subcommand("render", "draw a scene or a plain shader without a window");
@@ -33,7 +80,8 @@ void addRender(CLI::App& app, RenderOptions& options, std::string& size)
                      "gallery name, scene file (.toml) or plain shader (.frag, .glsl)")
         ->required()
         ->type_name("SCENE|SHADER");
-    command->add_option("-o,--output", options.output, "the picture: .png (8 bit) or .exr (linear float)")
+    command
+        ->add_option("-o,--output", options.output, "the picture: .png, or .hdr and .exr (linear radiance)")
         ->type_name("FILE");
     command->add_option("--size", size, "width and height in pixels")
         ->type_name("WxH")
@@ -66,7 +114,7 @@ void addRender(CLI::App& app, RenderOptions& options, std::string& size)
     command->add_option("--view", options.view, viewHelp())
         ->check(CLI::IsMember(dataViewNames()))
         ->type_name("VIEW");
-    command->add_flag("--half", options.half, "write EXR in 16-bit floats");
+    addOutput(*command, options);
     command->add_flag("--reference", options.reference,
                       "trace in double precision on the CPU, without OpenGL");
     command->add_flag("--why", options.why, "print what the scene needs, what was left out, and why");
@@ -87,7 +135,7 @@ void addDoctor(CLI::App& app, DoctorOptions& options)
 void addList(CLI::App& app, ListOptions& options)
 {
     auto* command =
-        app.add_subcommand("list", "name the scenes, tree orders, forms, views and backends there are");
+        app.add_subcommand("list", "name the scenes, tree orders, forms, views, layers, curves and backends");
     command->add_flag("--json", options.json, "print them as JSON");
 }
 

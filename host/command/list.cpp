@@ -5,6 +5,7 @@
 #include "command/json_text.h"
 #include "gl/context.h"
 #include "render/data_view.h"
+#include "render/layers.h"
 #include "scene/choices.h"
 #include "scene/load.h"
 
@@ -64,18 +65,26 @@ Rows namesIn(const Table& table)
     return rows;
 }
 
-Rows views()
+// The same where the meaning has another name.
+template <class Row>
+Rows rowsOf(const std::vector<Row>& table, const char* Row::*meaning)
 {
     Rows rows;
-    for (const auto& row : dataViews())
-        rows.push_back({{"name", row.name}, {"meaning", row.shows}});
+    for (const auto& row : table)
+        rows.push_back({{"name", row.name}, {"meaning", row.*meaning}});
     return rows;
 }
 
 std::vector<Listing> listings()
 {
-    return {{"scenes", scenes()},           {"shaders", shaders()}, {"orders", namesIn(treeOrders)},
-            {"forms", namesIn(sceneForms)}, {"views", views()},     {"backends", namesIn(backendChoices())}};
+    return {{"scenes", scenes()},
+            {"shaders", shaders()},
+            {"orders", namesIn(treeOrders)},
+            {"forms", namesIn(sceneForms)},
+            {"views", rowsOf(dataViews(), &DataViewRow::shows)},
+            {"layers", rowsOf(layerRows(), &LayerRow::holds)},
+            {"curves", namesIn(toneCurves)},
+            {"backends", namesIn(backendChoices())}};
 }
 
 // A count reads "10 objects"; a text stands for itself.

@@ -7,7 +7,9 @@
 #include "command/plain_options.h"
 #include "command/progress.h"
 #include "command/report.h"
+#include "command/write_still.h"
 #include "kernel/reference.h"
+#include "render/layers.h"
 #include "render/still.h"
 #include "render/view_picture.h"
 #include "scene/load.h"
@@ -24,55 +26,13 @@ namespace dioptre
 namespace
 {
 
-// The picture's kind by its name, checked before anything is drawn.
-bool isExr(const std::string& output)
-{
-    const auto extension = std::filesystem::path(output).extension();
-    if (extension != ".png" && extension != ".exr")
-        fail(ExitCode::usage, "-o " + output + " is neither .png nor .exr",
-             "name the picture FILE.png or FILE.exr");
-    return extension == ".exr";
-}
-
-Settings settingsOf(const RenderOptions& options, const ContextInfo& context)
-{
-    Settings settings = {{"Software", std::string("dioptre ") + DIOPTRE_VERSION},
-                         {"dioptre.input", options.input},
-                         {"dioptre.size", fmt::format("{}x{}", options.width, options.height)},
-                         {"dioptre.spp", std::to_string(options.samples)},
-                         {"dioptre.time", fmt::format("{}", options.time_s)},
-                         {"dioptre.backend", context.backend},
-                         {"dioptre.renderer", context.renderer}};
-    if (!options.overrides.empty())
-        settings["dioptre.set"] = join(options.overrides, " ");
-    return settings;
-}
-
-// `shown`: what a PNG holds of a view, else null; an EXR holds its data.
-void write(const RenderOptions& options, const Still& still, const ContextInfo& context, bool encode,
-           const ShownView* shown)
-{
-    auto settings = settingsOf(options, context);
-    if (shown != nullptr) {
-        settings["dioptre.view"] = options.view;
-        settings["dioptre.legend"] = join(shown->legend.lines, "\n");
-    }
-    if (isExr(options.output))
-        writeExr(options.output, still.picture, options.half ? ExrDepth::half : ExrDepth::full, settings);
-    else
-        writePng(options.output, shown != nullptr ? shown->picture : still.picture,
-                 encode && shown == nullptr, settings);
-}
-
 // Options that would have no effect, or no sense, are refused, not passed over.
 void refuseBadOptions(const RenderOptions& options, const Input& input)
 {
     if (!(std::abs(options.time_s) <= static_cast<double>(std::numeric_limits<float>::max())))
         fail(ExitCode::usage, fmt::format("--time {} is no moment", options.time_s),
              "give a number of seconds that a 32-bit float can hold");
-    if (options.half && !isExr(options.output))
-        fail(ExitCode::usage, "--half is for EXR, and " + options.output + " is a PNG",
-             "name the picture FILE.exr");
+    refuseBadOutput(options, input.plainShader);
     if (input.plainShader && (options.reference || options.budget > 0 || !options.view.empty()))
         fail(ExitCode::usage,
              options.input + " is a plain shader, and --budget, --view and --reference are for scenes",
@@ -116,6 +76,7 @@ struct Rendering {
     Still still;
     ContextInfo context;
     std::optional<PreparedScene> prepared; // none for a plain shader
+    std::vector<ExrLayer> layers;
 };
 
 Rendering renderInput(const RenderOptions& options, const Input& input)
@@ -148,6 +109,9 @@ Rendering renderInput(const RenderOptions& options, const Input& input)
         rendering.context = context->info();
         rendering.still = rendering.prepared ? renderScene(*rendering.prepared, settings, context->info())
                                              : renderPlain(input.path, settings, plain);
+        if (!options.layers.empty())
+            rendering.layers =
+                drawLayers(rendering.prepared->scene, layersNamed(options.layers), settings, context->info());
         rendering.still.phases.context = context_ms;
     }
     rendering.still.phases.load += load_ms;
@@ -191,7 +155,6 @@ ExitCode render(const RenderOptions& asked)
         options.overrides.push_back(fmt::format("trace.budget={}", options.budget));
     if (input.plainShader)
         options.samples = 1; // it is asked once for each pixel
-    isExr(options.output);
     // Folders that cannot be written to are refused before anything is drawn.
     PendingFile{options.output};
     if (!options.shader.empty())
@@ -203,7 +166,11 @@ ExitCode render(const RenderOptions& asked)
     if (!options.view.empty())
         shown = shownView(rendering.still.picture, *rendering.prepared);
     const ViewLegend* legend = shown ? &shown->legend : nullptr;
-    write(options, rendering.still, rendering.context, !input.plainShader, shown ? &*shown : nullptr);
+    std::optional<Display> display; // none for a plain shader
+    if (rendering.prepared)
+        display = displayOf(options, rendering.prepared->scene.output);
+    writeStill(options, {rendering.still, rendering.context, display ? &*display : nullptr,
+                         shown ? &*shown : nullptr, rendering.layers});
     rendering.still.phases.write = watch.lap_ms();
     rendering.still.phases.total = whole.lap_ms();
     if (!options.shader.empty())

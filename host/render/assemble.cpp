@@ -65,9 +65,12 @@ const char* treeFile(RayTree tree)
     return "";
 }
 
-// objectColour(): what the legend says.
-std::string objectColoursText(std::size_t count)
+// objectColour(): what the legend says, or a grey that is the object's number plus 1.
+std::string objectColoursText(DataView view, std::size_t count)
 {
+    if (view == DataView::number)
+        return "// An object's number, so that 0 is left for nothing.\nvec3 objectColour(int object)\n{\n"
+               "    return vec3(float(object) + 1.0);\n}\n\n";
     std::vector<std::string> colours;
     for (std::size_t object = 0; object < count; ++object) {
         const auto [red, green, blue] = objectColour(object);
@@ -82,8 +85,9 @@ std::string objectColoursText(std::size_t count)
 // traceTree() of a view of what is met first.
 std::string firstHitText(const Plan& plan, const PackedScene& packed)
 {
-    const bool colours = plan.view == DataView::object && !packed.objects.empty();
-    return (colours ? objectColoursText(packed.objects.size()) : "") +
+    const bool colours =
+        (plan.view == DataView::object || plan.view == DataView::number) && !packed.objects.empty();
+    return (colours ? objectColoursText(plan.view, packed.objects.size()) : "") +
            "#include \"trace/first_hit.glsl\"\n\n// What the view shows of this scene.\n"
            "vec4 traceTree(Path eye)\n{\n    return firstHit(eye);\n}\n\n";
 }

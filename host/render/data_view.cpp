@@ -41,13 +41,16 @@ DataView dataViewNamed(const std::string& name)
 
 const DataViewRow& rowOf(DataView view)
 {
+    static const DataViewRow number = {DataView::number, "number", "each object's number"};
+    if (view == DataView::number)
+        return number;
     return *std::ranges::find(dataViews(), view, &DataViewRow::view);
 }
 
 bool showsFirstHit(DataView view)
 {
     return view == DataView::object || view == DataView::normal || view == DataView::depth ||
-           view == DataView::uv;
+           view == DataView::uv || view == DataView::number;
 }
 
 bool showsRayTree(DataView view)

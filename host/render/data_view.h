@@ -11,7 +11,16 @@
 namespace dioptre
 {
 
-enum class DataView { none, rays, lost, object, normal, depth, uv };
+enum class DataView {
+    none,
+    rays,
+    lost,
+    object,
+    normal,
+    depth,
+    uv,
+    number // an object's number plus 1, 0 where nothing is met: for layers alone, --view does not know it
+};
 
 struct DataViewRow {
     DataView view;
@@ -19,7 +28,7 @@ struct DataViewRow {
     const char* shows; // in half a sentence
 };
 
-// Every view there is, in the order of the help.
+// Every view that --view knows, in the order of the help.
 const std::vector<DataViewRow>& dataViews();
 
 std::vector<std::string> dataViewNames();

@@ -60,7 +60,7 @@ void Planner::view()
 {
     const auto view = plan_.view;
     std::vector<std::string> defines;
-    if (view == DataView::object)
+    if (view == DataView::object || view == DataView::number)
         defines = {"HAS_OBJECT_VIEW"};
     if (view == DataView::depth)
         defines = {"HAS_DEPTH_VIEW"};

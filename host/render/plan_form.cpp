@@ -32,7 +32,8 @@ void Planner::form()
                    : choices <= mostSelects                       ? Lookup::selects
                                                                   : Lookup::table;
     // Which object a ray meets, and how far away, is known without a look at what it is.
-    const bool asked = !literal || (plan_.view != DataView::object && plan_.view != DataView::depth);
+    const bool asked = !literal || (plan_.view != DataView::object && plan_.view != DataView::number &&
+                                    plan_.view != DataView::depth);
     const bool table = plan_.lookup == Lookup::table && !empty && asked;
     const std::string chosen = scene_.plan.lookup != Lookup::automatic        ? "plan.lookup"
                                : scene_.plan.force == PlanChoices::Force::all ? "plan.force is all"

@@ -198,6 +198,7 @@ ShownView shownView(const Picture& data, const PreparedScene& prepared)
             "picture coordinates of the first surface, 0 to 1, where they go on from 0 again", "red    u",
             "green  v", "#000000  nothing met"};
         break;
+    case DataView::number: // never shown to the eye
     case DataView::none:
         break;
     }

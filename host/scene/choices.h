@@ -33,4 +33,13 @@ inline constexpr std::array sceneForms{
     NamedChoice<SceneForm>{"loop", SceneForm::loop, "the shader reads the geometry from a table"},
 };
 
+// [output] curve
+inline constexpr std::array toneCurves{
+    NamedChoice<ToneCurve>{"none", ToneCurve::none, "radiance beyond 1 is white"},
+    NamedChoice<ToneCurve>{"reinhard", ToneCurve::reinhard,
+                           "x / (1 + x) of each channel: nothing is ever quite white"},
+    NamedChoice<ToneCurve>{"filmic", ToneCurve::filmic,
+                           "Narkowicz's fit of the ACES curve: more contrast, white from 7.24"},
+};
+
 } // namespace dioptre

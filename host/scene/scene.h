@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/picture.h"
+#include "base/tone_curve.h"
 
 #include <glm/glm.hpp>
 
@@ -163,6 +164,7 @@ struct Scene {
     Sky sky;
     Trace trace;
     PlanChoices plan;
+    Display output;                  // what a picture for the eye is shown by, where nobody asks otherwise
     std::vector<Material> materials; // in file order
     std::vector<Light> lights;       // in file order
     std::vector<Object> objects;     // in file order: the index is the object's id

@@ -50,14 +50,15 @@ TEST(ListCommand, Scenes_AreTheGallerysWithTitleAndObjectCount)
 }
 
 // The loader's refusal names every word that it knows: both must be the same.
-TEST(ListCommand, OrdersAndForms_AreTheWordsThatTheLoaderTakes)
+TEST(ListCommand, OrdersFormsAndCurves_AreTheWordsThatTheLoaderTakes)
 {
     const auto json = listed();
-    for (const auto& [section, key] : {std::pair{"orders", "order"}, {"forms", "form"}}) {
+    for (const auto& [section, key] :
+         {std::pair{"orders", "trace.order"}, {"forms", "trace.form"}, {"curves", "output.curve"}}) {
         const auto names = namesOf(json[section]);
         EXPECT_GE(names.size(), 2U);
         const auto refusal =
-            run(std::string("dioptre render cylinders --set trace.") + key + "=zzzzzzzz -o none.png");
+            run(std::string("dioptre render cylinders --set ") + key + "=zzzzzzzz -o none.png");
         EXPECT_EQ(refusal.code, 65);
         std::string known;
         for (const auto& name : names)
@@ -75,6 +76,16 @@ TEST(ListCommand, Backends_AreTheWordsThatRenderTakes)
     const auto help = run("dioptre render --help").out;
     for (const auto& name : names)
         EXPECT_NE(help.find(name), std::string::npos) << name << " not in " << help;
+}
+
+TEST(ListCommand, Layers_AreTheWordsThatRenderTakes)
+{
+    std::string all;
+    for (const auto& name : namesOf(listed()["layers"]))
+        all += (all.empty() ? "" : ", ") + name;
+    const auto refusal = run("dioptre render cylinders --layers zzzz -o none.exr");
+    EXPECT_EQ(refusal.code, 2);
+    EXPECT_NE(refusal.error.find("the layers are " + all + "\n"), std::string::npos) << refusal.error;
 }
 
 TEST(ListCommand, Text_HasOneLineForEachName)

@@ -154,6 +154,31 @@ TEST_F(PictureFile, WriteExr_SettingsStandInTheHeader)
     EXPECT_EQ(file.header().channels().findChannel("A"), nullptr);
 }
 
+// By OpenEXR alone: the layer's first row is the file's last, in 32 bits even where the colours have 16.
+TEST_F(PictureFile, WriteExr_Layers_AreFloatChannelsBesideTheColours)
+{
+    const Picture source = floatPicture(2, 2, std::vector<float>(16, 0.5F));
+    writeExr(folder_ / "a.exr", source, ExrDepth::half, {},
+             {{"depth.Z", {1.0F, 2.0F, 3.0F, 70000.0F}}, {"object.id", {-1.0F, 0.0F, 4097.0F, 7.0F}}});
+    Imf::InputFile file((folder_ / "a.exr").c_str());
+    EXPECT_EQ(file.header().channels().findChannel("depth.Z")->type, Imf::FLOAT);
+    EXPECT_EQ(file.header().channels().findChannel("R")->type, Imf::HALF);
+    std::vector<float> depth(4), id(4);
+    Imf::FrameBuffer frame;
+    frame.insert("depth.Z", Imf::Slice::Make(Imf::FLOAT, depth.data(), file.header().dataWindow()));
+    frame.insert("object.id", Imf::Slice::Make(Imf::FLOAT, id.data(), file.header().dataWindow()));
+    file.setFrameBuffer(frame);
+    file.readPixels(0, 1);
+    EXPECT_EQ(depth, (std::vector<float>{3.0F, 70000.0F, 1.0F, 2.0F}));
+    EXPECT_EQ(id, (std::vector<float>{4097.0F, 7.0F, -1.0F, 0.0F}));
+    EXPECT_EQ(readPicture(folder_ / "a.exr").floats, [&] {
+        std::vector<float> floats(16, 0.5F);
+        for (std::size_t i = 3; i < 16; i += 4)
+            floats[i] = 1.0F;
+        return floats;
+    }());
+}
+
 TEST_F(PictureFile, WriteExr_SettingWithANameOfTheFormat_IsRefused)
 {
     try {

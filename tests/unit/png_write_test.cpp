@@ -42,6 +42,47 @@ TEST_F(PictureFile, WritePng_SettingsStandInTextChunks)
     EXPECT_EQ(bytes.find("empty"), std::string::npos);
 }
 
+// All 65536 codes: each is decoded by the reader and must be found again.
+TEST_F(PictureFile, WritePng_Of16Bits_KeepsEveryCode)
+{
+    for (const bool encode : {true, false}) {
+        Picture source = floatPicture(256, 256, {});
+        for (int code = 0; code < 65536; ++code) {
+            const double value = code / 65535.0;
+            const auto grey = static_cast<float>(!encode            ? value
+                                                 : value <= 0.04045 ? value / 12.92
+                                                                    : std::pow((value + 0.055) / 1.055, 2.4));
+            source.floats.insert(source.floats.end(), {grey, grey, grey, 1.0F});
+        }
+        writePng(folder_ / "a.png", source, PngForm{.encode = encode, .bits = 16}, {});
+        const Picture picture = readPicture(folder_ / "a.png", encode ? Encoding::srgb : Encoding::linear);
+        ASSERT_EQ(picture.format, PixelFormat::float32);
+        EXPECT_EQ(picture.floats, source.floats);
+    }
+}
+
+TEST_F(PictureFile, WritePng_Of16Bits_ClampsAndFlips)
+{
+    const Picture source = floatPicture(1, 2, {0.25F, 2.0F, -1.0F, 1, std::nanf(""), HUGE_VALF, 1.0F, 1});
+    writePng(folder_ / "a.png", source, PngForm{.encode = false, .bits = 16}, {});
+    const Picture picture = readPicture(folder_ / "a.png", Encoding::linear);
+    EXPECT_EQ(picture.floats,
+              (std::vector<float>{16384.0F / 65535.0F, 1, 0, 1, 0, 1, 1, 1})); // 16383.75 is rounded
+}
+
+// 0.5^(1/2.2) = 0.729740; 100000/2.2 = 45455 = 0xB18F.
+TEST_F(PictureFile, WritePng_WithAGamma_EncodesByItAndSaysIt)
+{
+    writePng(folder_ / "a.png", floatPicture(1, 1, {0.5F, 1.0F, 0.0F, 1}), PngForm{true, 2.2, 8}, {});
+    EXPECT_EQ(readPicture(folder_ / "a.png").bytes, (std::vector<std::uint8_t>{186, 255, 0, 255}));
+    EXPECT_NE(readFile(folder_ / "a.png").find(std::string("gAMA\0\0\xB1\x8F", 8)), std::string::npos);
+    writePng(folder_ / "b.png", floatPicture(1, 1, {0.5F, 1.0F, 0.0F, 1}), PngForm{true, 1.0, 16}, {});
+    EXPECT_EQ(readPicture(folder_ / "b.png").floats[0], 32768.0F / 65535.0F)
+        << "the reader knows it is linear";
+    writePng(folder_ / "c.png", floatPicture(1, 1, {0.5F, 1.0F, 0.0F, 1}), PngForm{}, {});
+    EXPECT_EQ(readFile(folder_ / "c.png").find("gAMA"), std::string::npos);
+}
+
 // 25 ms alone on a 2 GHz core; the bound leaves room for sanitizers and neighbours. The default deflate level
 // takes ten times as long and breaks it there.
 TEST_F(PictureFile, WritePng_Of720p_IsFast)

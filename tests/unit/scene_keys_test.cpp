@@ -83,6 +83,18 @@ position = [1, 2, 3]
     EXPECT_EQ(scene.lights[3].ambient, glm::dvec3(0.0));
 }
 
+TEST(Scene, EveryOutputKey_ReachesItsField)
+{
+    const Scene scene = parseScene("[output]\nexposure = -1.5\ncurve = \"filmic\"\ngamma = 2.2\n", "a.toml");
+    EXPECT_EQ(scene.output.exposure, -1.5);
+    EXPECT_EQ(scene.output.curve, ToneCurve::filmic);
+    EXPECT_EQ(scene.output.gamma, 2.2);
+    EXPECT_FALSE(parseScene("[output]\ngamma = \"srgb\"\n", "a.toml").output.gamma);
+    const Scene set = parseScene("", "a.toml", {"output.curve=reinhard"}); // a section that is not there
+    EXPECT_EQ(set.output.curve, ToneCurve::reinhard);
+    EXPECT_EQ(set.output.exposure, 0.0);
+}
+
 } // namespace
 
 } // namespace dioptre

@@ -38,6 +38,9 @@ const BadScene badScenes[] = {
     {"UnknownKeyLikeNone", "[trace]\nwibblewobble = 1\n", 2, 1, "choose from budget, depth, cut_off"},
     {"UnknownKeyOfSphere", "[[sphere]]\ncentre = [0, 0, 0]\nraduis = 1\n", 3, 1, "did you mean 'radius'?"},
     {"UnknownKeyOfMaterial", "[material.a]\nmiror = 1\n", 2, 1, "did you mean 'mirror'?"},
+    {"UnknownCurve", "[output]\ncurve = \"filmc\"\n", 2, 9, "did you mean 'filmic'?"},
+    {"GammaOfAnotherWord", "[output]\ngamma = \"rec709\"\n", 2, 9, "\"srgb\" or a number from 0.1 to 10"},
+    {"GammaOfZero", "[output]\ngamma = 0\n", 2, 9, "\"srgb\" or a number from 0.1 to 10"},
     {"MissingRadius", "[[sphere]]\ncentre = [0, 0, 0]\n", 1, 1, "has no radius: add 'radius = ...'"},
     // types
     {"WrongType", "[camera]\nfov_y_deg = \"wide\"\n", 2, 13, "is the string \"wide\": give an angle"},

@@ -1,0 +1,32 @@
+// Data beside a picture's colours: what its pixels show, as channels of an EXR.
+#pragma once
+
+#include "gl/context.h"
+#include "render/prepare.h"
+
+#include <string>
+#include <vector>
+
+namespace dioptre
+{
+
+struct LayerRow {
+    DataView view;                     // whose numbers it holds
+    const char* name;                  // as --layers takes it
+    std::vector<const char*> channels; // of the EXR
+    const char* holds;                 // in half a sentence
+};
+
+// Every layer there is, in the order of the help.
+const std::vector<LayerRow>& layerRows();
+
+// The rows of the names, each once, in the order of layerRows(). Throws usage for a name that is not there.
+std::vector<LayerRow> layersNamed(const std::vector<std::string>& names);
+
+// Draws them on the current context, with the samples of `view` but for objects, whose numbers have no mean:
+// they are those of the sample at the pixel's centre. Depth and normals are the means over the samples that
+// meet something, 0 where none does.
+std::vector<ExrLayer> drawLayers(const Scene& scene, const std::vector<LayerRow>& rows,
+                                 const ViewSettings& view, const ContextInfo& context);
+
+} // namespace dioptre
