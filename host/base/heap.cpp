@@ -41,7 +41,8 @@ void keepLargeBlocks()
     std::free(block);
     const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0));
     // Under a limit of memory a heap that asks for so much at once gets nothing: back to the usual steps.
-    if (end - begin < reserve) {
+    // Freeing the block may have trimmed a little of what it did get.
+    if (end - begin < reserve / 2) {
         ::mallopt(M_MMAP_THRESHOLD, 128 << 10);
         ::mallopt(M_TOP_PAD, 128 << 10);
     }
