@@ -53,10 +53,17 @@ using Settings = std::map<std::string, std::string>;
 void writePng(const std::filesystem::path& path, const Picture& picture, bool encode,
               const Settings& settings);
 
+// The bytes of that PNG's pixels: R, G, B of each, rows from the top down.
+std::vector<std::uint8_t> topDownBytes(const Picture& picture, bool encode);
+
 enum class ExrDepth { half, full };
 
 // Writes the R, G, B channels of a float32 picture, ZIP-compressed. Throws cannotWrite.
 void writeExr(const std::filesystem::path& path, const Picture& picture, ExrDepth depth,
               const Settings& settings);
+
+// What writePng() or writeExr() put into a file as text. Empty for files of other kinds, and where it cannot
+// be read.
+Settings readSettings(const std::filesystem::path& path);
 
 } // namespace dioptre

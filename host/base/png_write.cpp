@@ -42,13 +42,6 @@ std::vector<std::uint8_t> topDownRgb(const Picture& picture, const std::vector<N
     return bytes;
 }
 
-std::vector<std::uint8_t> topDownRgb(const Picture& picture, bool encode)
-{
-    if (picture.format != PixelFormat::float32)
-        return topDownRgb(picture, picture.bytes, [](std::uint8_t byte) { return byte; });
-    return topDownRgb(picture, picture.floats, encode ? srgb8FromLinear : byteFromUnit);
-}
-
 // tEXt holds Latin-1, so text beyond ASCII (it is UTF-8) goes into iTXt. Empty values are left out: libspng
 // refuses them.
 std::vector<spng_text> textChunks(const Settings& settings)
@@ -121,6 +114,13 @@ private:
 
 } // namespace
 
+std::vector<std::uint8_t> topDownBytes(const Picture& picture, bool encode)
+{
+    if (picture.format != PixelFormat::float32)
+        return topDownRgb(picture, picture.bytes, [](std::uint8_t byte) { return byte; });
+    return topDownRgb(picture, picture.floats, encode ? srgb8FromLinear : byteFromUnit);
+}
+
 // Fast before small: the default deflate level takes longer than the render.
 void writePng(const std::filesystem::path& path, const Picture& picture, bool encode,
               const Settings& settings)
@@ -130,7 +130,7 @@ void writePng(const std::filesystem::path& path, const Picture& picture, bool en
     writer.set(SPNG_IMG_COMPRESSION_STRATEGY, runLengthStrategy);
     writer.set(SPNG_FILTER_CHOICE, SPNG_FILTER_CHOICE_SUB);
     writer.describe(picture, textChunks(settings));
-    writeFile(path, writer.encode(topDownRgb(picture, encode)));
+    writeFile(path, writer.encode(topDownBytes(picture, encode)));
 }
 
 } // namespace dioptre
