@@ -3,9 +3,12 @@
 #include "base/text.h"
 #include "base/write_file.h"
 #include "command/command.h"
+#include "command/frames.h"
 #include "command/input.h"
 #include "command/progress.h"
+#include "command/render_steps.h"
 #include "command/report.h"
+#include "command/video.h"
 #include "kernel/reference.h"
 #include "render/still.h"
 #include "render/view_picture.h"
@@ -33,6 +36,8 @@ bool isExr(const std::string& output)
     return extension == ".exr";
 }
 
+} // namespace
+
 Settings settingsOf(const RenderOptions& options, const ContextInfo& context)
 {
     Settings settings = {{"Software", std::string("dioptre ") + DIOPTRE_VERSION},
@@ -44,12 +49,13 @@ Settings settingsOf(const RenderOptions& options, const ContextInfo& context)
                          {"dioptre.renderer", context.renderer}};
     if (!options.overrides.empty())
         settings["dioptre.set"] = join(options.overrides, " ");
+    if (!options.settingsHash.empty())
+        settings["dioptre.hash"] = options.settingsHash;
     return settings;
 }
 
-// `shown`: what a PNG holds of a view, else null; an EXR holds its data.
-void write(const RenderOptions& options, const Still& still, const ContextInfo& context, bool encode,
-           const ShownView* shown)
+void writeStill(const RenderOptions& options, const Still& still, const ContextInfo& context, bool encode,
+                const ShownView* shown)
 {
     auto settings = settingsOf(options, context);
     if (shown != nullptr) {
@@ -63,7 +69,6 @@ void write(const RenderOptions& options, const Still& still, const ContextInfo& 
                  encode && shown == nullptr, settings);
 }
 
-// Options that would have no effect, or no sense, are refused, not passed over.
 void refuseBadOptions(const RenderOptions& options, const Input& input)
 {
     if (!(std::abs(options.time_s) <= static_cast<double>(std::numeric_limits<float>::max())))
@@ -88,6 +93,9 @@ void refuseBadOptions(const RenderOptions& options, const Input& input)
              "leave one of them out");
 }
 
+namespace
+{
+
 void refuseEditedShader(const std::filesystem::path& glsl)
 {
     if (shaderFingerprint(glsl) != compiledShaderFingerprint())
@@ -95,7 +103,8 @@ void refuseEditedShader(const std::filesystem::path& glsl)
              "build again: the reference speaks only for the sources that it was made from");
 }
 
-// In double precision on the CPU: the same sources, no OpenGL.
+} // namespace
+
 Still renderReferenceStill(const PreparedScene& prepared, const StillSettings& settings)
 {
     refuseEditedShader(settings.glslFolder);
@@ -107,6 +116,17 @@ Still renderReferenceStill(const PreparedScene& prepared, const StillSettings& s
     return still;
 }
 
+StillSettings stillSettingsOf(const RenderOptions& options)
+{
+    return {{options.width, options.height, options.samples, glslFolder(), pictureCache(),
+             dataViewNamed(options.view)},
+            {},
+            options.time_s};
+}
+
+namespace
+{
+
 struct Rendering {
     Still still;
     ContextInfo context;
@@ -115,10 +135,8 @@ struct Rendering {
 
 Rendering renderInput(const RenderOptions& options, const Input& input)
 {
-    StillSettings settings{{options.width, options.height, options.samples, glslFolder(), pictureCache(),
-                            dataViewNamed(options.view)},
-                           terminalProgress(),
-                           options.time_s};
+    StillSettings settings = stillSettingsOf(options);
+    settings.progress = terminalProgress();
     Rendering rendering;
     Stopwatch watch;
     std::future<PreparedScene> preparing; // beside the making of the context
@@ -184,7 +202,10 @@ ExitCode render(const RenderOptions& asked)
         options.overrides.push_back(fmt::format("trace.budget={}", options.budget));
     if (input.plainShader)
         options.samples = 1; // it is asked once for each pixel
-    isExr(options.output);
+    if (options.frames.empty() || !isVideo(options.output))
+        isExr(options.output);
+    if (!options.frames.empty())
+        return renderFrames(options, input);
     // Folders that cannot be written to are refused before anything is drawn.
     PendingFile{options.output};
     if (!options.shader.empty())
@@ -196,7 +217,7 @@ ExitCode render(const RenderOptions& asked)
     if (!options.view.empty())
         shown = shownView(rendering.still.picture, *rendering.prepared);
     const ViewLegend* legend = shown ? &shown->legend : nullptr;
-    write(options, rendering.still, rendering.context, !input.plainShader, shown ? &*shown : nullptr);
+    writeStill(options, rendering.still, rendering.context, !input.plainShader, shown ? &*shown : nullptr);
     rendering.still.phases.write = watch.lap_ms();
     rendering.still.phases.total = whole.lap_ms();
     if (!options.shader.empty())
