@@ -61,6 +61,9 @@ struct PngForm {
     int bits = 8;                  // a channel: 8 or 16
 };
 
+// The bytes of an 8-bit PNG's pixels: R, G, B of each, rows from the top down.
+std::vector<std::uint8_t> topDownBytes(const Picture& picture, const PngForm& form);
+
 // The same in any of the forms. Values outside 0..1 are clamped, NaN gives 0.
 void writePng(const std::filesystem::path& path, const Picture& picture, const PngForm& form,
               const Settings& settings);
@@ -81,5 +84,9 @@ void writeExr(const std::filesystem::path& path, const Picture& picture, ExrDept
 // to nearest. What it cannot hold: negative numbers and NaN become 0, numbers beyond 1.69e38 that number.
 // Throws cannotWrite.
 void writeRadiance(const std::filesystem::path& path, const Picture& picture, const Settings& settings);
+
+// What writePng() or writeExr() put into a file as text. Empty for files of other kinds, and where it cannot
+// be read.
+Settings readSettings(const std::filesystem::path& path);
 
 } // namespace dioptre

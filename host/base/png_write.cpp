@@ -146,6 +146,11 @@ private:
 
 } // namespace
 
+std::vector<std::uint8_t> topDownBytes(const Picture& picture, const PngForm& form)
+{
+    return codes8(picture, form);
+}
+
 // Fast before small: the default deflate level takes longer than the render.
 void writePng(const std::filesystem::path& path, const Picture& picture, const PngForm& form,
               const Settings& settings)

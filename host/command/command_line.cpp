@@ -72,6 +72,21 @@ void addOutput(CLI::App& command, RenderOptions& options)
         ->allow_extra_args(false);
 }
 
+void addFrames(CLI::App& command, RenderOptions& options)
+{
+    auto* frames = command.add_option("--frames", options.frames,
+                                      "draw these frames, both ends included, to numbered pictures or, where "
+                                      "the output is .mp4, .mkv or .webm, by ffmpeg to a video");
+    frames->type_name("FIRST:LAST[:STEP]");
+    command.add_option("--fps", options.fps, "frames a second: frame N is at --time + N / fps")
+        ->needs(frames)
+        ->capture_default_str();
+    command
+        .add_flag("--resume", options.resume,
+                  "keep the pictures that are there whole and were drawn with the same settings")
+        ->needs(frames);
+}
+
 void addRender(CLI::App& app, RenderOptions& options, std::string& size)
 {
     auto* command = app.add_subcommand("render", "draw a scene or a plain shader without a window");
@@ -115,6 +130,7 @@ void addRender(CLI::App& app, RenderOptions& options, std::string& size)
         ->check(CLI::IsMember(dataViewNames()))
         ->type_name("VIEW");
     addOutput(*command, options);
+    addFrames(*command, options);
     command->add_flag("--reference", options.reference,
                       "trace in double precision on the CPU, without OpenGL");
     command->add_flag("--why", options.why, "print what the scene needs, what was left out, and why");

@@ -3,9 +3,11 @@
 #include "base/text.h"
 #include "base/write_file.h"
 #include "command/command.h"
+#include "command/frames.h"
 #include "command/input.h"
 #include "command/plain_options.h"
 #include "command/progress.h"
+#include "command/render_steps.h"
 #include "command/report.h"
 #include "command/write_still.h"
 #include "kernel/reference.h"
@@ -26,7 +28,8 @@ namespace dioptre
 namespace
 {
 
-// Options that would have no effect, or no sense, are refused, not passed over.
+} // namespace
+
 void refuseBadOptions(const RenderOptions& options, const Input& input)
 {
     if (!(std::abs(options.time_s) <= static_cast<double>(std::numeric_limits<float>::max())))
@@ -53,6 +56,9 @@ void refuseBadOptions(const RenderOptions& options, const Input& input)
              "leave one of them out");
 }
 
+namespace
+{
+
 void refuseEditedShader(const std::filesystem::path& glsl)
 {
     if (shaderFingerprint(glsl) != compiledShaderFingerprint())
@@ -60,7 +66,8 @@ void refuseEditedShader(const std::filesystem::path& glsl)
              "build again: the reference speaks only for the sources that it was made from");
 }
 
-// In double precision on the CPU: the same sources, no OpenGL.
+} // namespace
+
 Still renderReferenceStill(const PreparedScene& prepared, const StillSettings& settings)
 {
     refuseEditedShader(settings.glslFolder);
@@ -72,6 +79,16 @@ Still renderReferenceStill(const PreparedScene& prepared, const StillSettings& s
     return still;
 }
 
+StillSettings stillSettingsOf(const RenderOptions& options)
+{
+    return {{options.width, options.height, options.samples, glslFolder(), pictureCache(),
+             dataViewNamed(options.view)},
+            {}};
+}
+
+namespace
+{
+
 struct Rendering {
     Still still;
     ContextInfo context;
@@ -81,9 +98,8 @@ struct Rendering {
 
 Rendering renderInput(const RenderOptions& options, const Input& input)
 {
-    StillSettings settings{{options.width, options.height, options.samples, glslFolder(), pictureCache(),
-                            dataViewNamed(options.view)},
-                           terminalProgress()};
+    StillSettings settings = stillSettingsOf(options);
+    settings.progress = terminalProgress();
     Rendering rendering;
     Stopwatch watch;
     std::future<PreparedScene> preparing; // beside the making of the context
@@ -155,6 +171,8 @@ ExitCode render(const RenderOptions& asked)
         options.overrides.push_back(fmt::format("trace.budget={}", options.budget));
     if (input.plainShader)
         options.samples = 1; // it is asked once for each pixel
+    if (!options.frames.empty())
+        return renderFrames(options, input);
     // Folders that cannot be written to are refused before anything is drawn.
     PendingFile{options.output};
     if (!options.shader.empty())

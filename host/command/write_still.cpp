@@ -1,6 +1,7 @@
 #include "command/write_still.h"
 
 #include "base/text.h"
+#include "command/video.h"
 #include "render/layers.h"
 #include "scene/choices.h"
 
@@ -97,24 +98,10 @@ void refuseBadLayers(const RenderOptions& options, PictureKind kind, bool plainS
              "leave one of them out");
 }
 
-Settings settingsOf(const RenderOptions& options, const StillContent& content)
+void addView(Settings& settings, const RenderOptions& options, const ShownView& shown)
 {
-    Settings settings = {{"Software", std::string("dioptre ") + DIOPTRE_VERSION},
-                         {"dioptre.input", options.input},
-                         {"dioptre.size", fmt::format("{}x{}", options.width, options.height)},
-                         {"dioptre.spp", std::to_string(options.samples)},
-                         {"dioptre.time", fmt::format("{}", options.time_s)},
-                         {"dioptre.backend", content.context.backend},
-                         {"dioptre.renderer", content.context.renderer}};
-    if (!options.overrides.empty())
-        settings["dioptre.set"] = join(options.overrides, " ");
-    if (!options.layers.empty())
-        settings["dioptre.layers"] = join(options.layers, ",");
-    if (content.shown != nullptr) {
-        settings["dioptre.view"] = options.view;
-        settings["dioptre.legend"] = join(content.shown->legend.lines, "\n");
-    }
-    return settings;
+    settings["dioptre.view"] = options.view;
+    settings["dioptre.legend"] = join(shown.legend.lines, "\n");
 }
 
 // Only what differs from radiance 1 as white and sRGB.
@@ -129,31 +116,41 @@ void addDisplay(Settings& settings, const Display& display)
         settings["dioptre.gamma"] = fmt::format("{}", *display.gamma);
 }
 
-void writeDisplayed(const RenderOptions& options, const StillContent& content, Settings settings)
+// Hands the numbers of a PNG to `take`, with the form that they are to be given.
+template <typename Take>
+auto display(const StillContent& content, int bits, Take take)
 {
-    PngForm form{.encode = false, .gamma = {}, .bits = options.bits == 16 ? 16 : 8};
+    PngForm form{.encode = false, .gamma = {}, .bits = bits};
     if (content.shown != nullptr)
-        return writePng(options.output, content.shown->picture, form, settings);
+        return take(content.shown->picture, form);
     if (content.display == nullptr)
-        return writePng(options.output, content.still.picture, form, settings);
+        return take(content.still.picture, form);
     form.encode = true;
     form.gamma = content.display->gamma;
-    addDisplay(settings, *content.display);
     if (content.display->exposure == 0.0 && content.display->curve == ToneCurve::none)
-        writePng(options.output, content.still.picture, form, settings); // spares a copy
-    else
-        writePng(options.output, toned(content.still.picture, *content.display), form, settings);
+        return take(content.still.picture, form); // spares a copy
+    return take(toned(content.still.picture, *content.display), form);
+}
+
+void writeDisplayed(const RenderOptions& options, const StillContent& content, Settings settings)
+{
+    if (content.shown == nullptr && content.display != nullptr)
+        addDisplay(settings, *content.display);
+    display(content, options.bits == 16 ? 16 : 8, [&](const Picture& picture, const PngForm& form) {
+        writePng(options.output, picture, form, settings);
+    });
 }
 
 } // namespace
 
 void refuseBadOutput(const RenderOptions& options, bool plainShader)
 {
-    const PictureKind kind = kindOf(options.output);
+    const bool video = !options.frames.empty() && isVideo(options.output);
+    const PictureKind kind = video ? PictureKind::png : kindOf(options.output); // both for the eye
     if (options.half && kind != PictureKind::exr)
         fail(ExitCode::usage, "--half is for EXR, and " + options.output + " is none",
              "name the picture FILE.exr");
-    if (options.bits != 0 && kind != PictureKind::png)
+    if (options.bits != 0 && (video || kind != PictureKind::png))
         fail(ExitCode::usage, "--depth is for PNG, and " + options.output + " is none",
              "leave it out, or name the picture FILE.png");
     refuseBadDisplay(options, kind, plainShader);
@@ -172,9 +169,35 @@ Display displayOf(const RenderOptions& options, const Display& scene)
     return display;
 }
 
+Settings settingsOf(const RenderOptions& options, const ContextInfo& context)
+{
+    Settings settings = {{"Software", std::string("dioptre ") + DIOPTRE_VERSION},
+                         {"dioptre.input", options.input},
+                         {"dioptre.size", fmt::format("{}x{}", options.width, options.height)},
+                         {"dioptre.spp", std::to_string(options.samples)},
+                         {"dioptre.time", fmt::format("{}", options.time_s)},
+                         {"dioptre.backend", context.backend},
+                         {"dioptre.renderer", context.renderer}};
+    if (!options.overrides.empty())
+        settings["dioptre.set"] = join(options.overrides, " ");
+    if (!options.layers.empty())
+        settings["dioptre.layers"] = join(options.layers, ",");
+    if (!options.settingsHash.empty())
+        settings["dioptre.hash"] = options.settingsHash;
+    return settings;
+}
+
+std::vector<std::uint8_t> displayedBytes(const StillContent& content)
+{
+    return display(content, 8,
+                   [](const Picture& picture, const PngForm& form) { return topDownBytes(picture, form); });
+}
+
 void writeStill(const RenderOptions& options, const StillContent& content)
 {
-    const Settings settings = settingsOf(options, content);
+    Settings settings = settingsOf(options, content.context);
+    if (content.shown != nullptr)
+        addView(settings, options, *content.shown);
     switch (kindOf(options.output)) {
     case PictureKind::png:
         return writeDisplayed(options, content, settings);

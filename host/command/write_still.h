@@ -25,6 +25,12 @@ struct StillContent {
     const std::vector<ExrLayer>& layers; // beside the colours, in an EXR alone
 };
 
+// What a picture's file says of itself, but of its view and of how radiance became what a display is sent.
+Settings settingsOf(const RenderOptions& options, const ContextInfo& context);
+
+// The pixels of an 8-bit PNG of it: R, G, B, rows from the top down.
+std::vector<std::uint8_t> displayedBytes(const StillContent& content);
+
 // Throws cannotWrite.
 void writeStill(const RenderOptions& options, const StillContent& content);
 

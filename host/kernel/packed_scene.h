@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,7 @@ struct PackedScene {
     double cutOff = 0.0;                        // of a path's weight
     std::vector<std::vector<Picture>> pictures; // mip chains, by picture index
     std::vector<Picture> sky_picture;           // none or one
+    std::optional<double> skyPictureBrightness; // what nearly all of it stays below; unset until asked for
 };
 
 // The table of glsl/trace/scene_loop.glsl.

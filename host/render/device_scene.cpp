@@ -4,6 +4,7 @@
 #include "gl/texture.h"
 
 #include <algorithm>
+#include <array>
 
 namespace dioptre
 {
@@ -25,21 +26,6 @@ void appendAll(std::vector<float>& values, const Range& range)
 {
     for (const auto& item : range)
         append(values, item);
-}
-
-// Throws badInput where the driver's blocks are smaller; `contents` says what to have fewer of.
-void addBlock(DeviceScene& device, const std::string& name, const std::vector<float>& values,
-              const char* contents)
-{
-    GLint most = 0;
-    glGetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &most);
-    if (values.size() * sizeof(float) > static_cast<std::size_t>(most))
-        fail(ExitCode::badInput,
-             std::string("the scene's ") + contents + " take " +
-                 std::to_string(values.size() * sizeof(float)) +
-                 " bytes, and this driver's uniform blocks hold " + std::to_string(most),
-             std::string("use fewer ") + contents);
-    device.blocks.push_back({name, uploadUniformBuffer(values), values.size() * sizeof(float)});
 }
 
 std::size_t bytesOf(const std::vector<Picture>& levels)
@@ -105,6 +91,46 @@ std::vector<float> shapeValues(const PackedScene& packed)
     return values;
 }
 
+struct BlockContents {
+    std::vector<float> values;
+    const char* what; // to have fewer of, where it is too much
+};
+
+BlockContents contentsOf(const std::string& block, const PackedScene& packed)
+{
+    const auto structs = [](const auto& range, const char* what) {
+        BlockContents contents{{}, what};
+        appendAll(contents.values, range);
+        return contents;
+    };
+    if (block == "CameraBlock")
+        return structs(std::array{packed.camera}, "cameras");
+    if (block == "SkyBlock")
+        return structs(std::array{packed.sky}, "skies");
+    if (block == "MaterialBlock")
+        return structs(packed.materials, "materials");
+    if (block == "LightBlock")
+        return structs(packed.lights, "lights");
+    if (block == "ShapeBlock")
+        return {shapeValues(packed), "objects, which this shader reads from a table,"};
+    return {movingValues(packed), "objects that move"};
+}
+
+// Throws badInput where the driver's blocks are smaller.
+BoundBlock blockOf(const std::string& name, const PackedScene& packed)
+{
+    const auto [values, contents] = contentsOf(name, packed);
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &most);
+    const std::size_t bytes = values.size() * sizeof(float);
+    if (bytes > static_cast<std::size_t>(most))
+        fail(ExitCode::badInput,
+             std::string("the scene's ") + contents + " take " + std::to_string(bytes) +
+                 " bytes, and this driver's uniform blocks hold " + std::to_string(most),
+             std::string("use fewer ") + contents);
+    return {name, uploadUniformBuffer(values), bytes};
+}
+
 // "a, b" of what is in `wanted` and not in `present`.
 std::string missing(const std::vector<std::string>& wanted, const std::vector<std::string>& present)
 {
@@ -130,27 +156,16 @@ BlockCapacity capacityOf(std::size_t blockBytes)
 DeviceScene upload(const PackedScene& packed, const std::vector<const Plan*>& plans)
 {
     DeviceScene device;
-    std::vector<float> camera, sky, materials, lights;
-    append(camera, packed.camera);
-    append(sky, packed.sky);
-    appendAll(materials, packed.materials);
-    appendAll(lights, packed.lights);
-    for (const auto& name : namesOfAll(plans, plannedBlocks)) {
-        if (name == "CameraBlock")
-            addBlock(device, name, camera, "cameras");
-        else if (name == "SkyBlock")
-            addBlock(device, name, sky, "skies");
-        else if (name == "MaterialBlock")
-            addBlock(device, name, materials, "materials");
-        else if (name == "LightBlock")
-            addBlock(device, name, lights, "lights");
-        else if (name == "ShapeBlock")
-            addBlock(device, name, shapeValues(packed), "objects, which this shader reads from a table,");
-        else
-            addBlock(device, name, movingValues(packed), "objects that move");
-    }
+    for (const auto& name : namesOfAll(plans, plannedBlocks))
+        device.blocks.push_back(blockOf(name, packed));
     uploadTextures(device, plans, packed);
     return device;
+}
+
+void uploadNumbers(DeviceScene& device, const PackedScene& packed)
+{
+    for (auto& block : device.blocks)
+        block = blockOf(block.block, packed);
 }
 
 std::vector<std::string> plannedBlocks(const Plan& plan)

@@ -42,6 +42,9 @@ BlockCapacity capacityOf(std::size_t blockBytes);
 // Uploads what one of the plans, which are of one scene, needs, and nothing else.
 DeviceScene upload(const PackedScene& packed, const std::vector<const Plan*>& plans);
 
+// Uploads the numbers anew, of the same scene at another time; the pictures stay.
+void uploadNumbers(DeviceScene& device, const PackedScene& packed);
+
 // What a plan's program reads: uniforms outside blocks, blocks, and textures.
 std::vector<std::string> plannedUniforms(const Plan& plan);
 std::vector<std::string> plannedBlocks(const Plan& plan);

@@ -115,8 +115,11 @@ void setCutOff(const Scene& scene, const Plan& plan, PackedScene& packed)
     double sky = 0.0;
     for (const auto& colour : {packed.sky.colour, packed.sky.horizon, packed.sky.zenith})
         sky = std::max({sky, colour.x, colour.y, colour.z});
-    if (!packed.sky_picture.empty())
-        sky *= brightSky(packed.sky_picture.front());
+    if (!packed.sky_picture.empty()) {
+        if (!packed.skyPictureBrightness)
+            packed.skyPictureBrightness = brightSky(packed.sky_picture.front());
+        sky *= *packed.skyPictureBrightness;
+    }
     packed.cutOff = scene.trace.cutOff / brightestRadiance(scene, plan, sky);
 }
 

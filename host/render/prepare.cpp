@@ -25,6 +25,17 @@ std::vector<PicturePart> partsOf(const PreparedScene& prepared, const ViewSettin
     return {wholePicture(prepared.plan, view.width, view.height)};
 }
 
+// Where the picture cuts a path hangs on its brightest light: a view of the ray tree looks at that very tree.
+void setCutOff(PreparedScene& prepared, const Scene& scene, const ViewSettings& view)
+{
+    setCutOff(prepared.scene, prepared.plan, prepared.packed);
+    if (!showsRayTree(view.view))
+        return;
+    ViewSettings light = view;
+    light.view = DataView::none;
+    prepared.packed.cutOff = prepare(scene, light).packed.cutOff;
+}
+
 } // namespace
 
 PreparedScene prepare(const Scene& scene, const ViewSettings& view)
@@ -34,16 +45,21 @@ PreparedScene prepare(const Scene& scene, const ViewSettings& view)
     prepared.plan = makePlan(prepared.scene, view.view);
     prepared.packed = pack(prepared.scene, prepared.plan, View{view.height, view.samples});
     loadPictures(prepared.scene, prepared.plan, prepared.packed, view.pictures);
-    setCutOff(prepared.scene, prepared.plan, prepared.packed);
-    if (showsRayTree(view.view)) {
-        // Where the picture cuts a path hangs on its brightest light: the view looks at that very tree.
-        ViewSettings light = view;
-        light.view = DataView::none;
-        prepared.packed.cutOff = prepare(scene, light).packed.cutOff;
-    }
+    setCutOff(prepared, scene, view);
     addNeutralPictures(prepared.plan, prepared.packed);
     prepared.parts = partsOf(prepared, view);
     return prepared;
+}
+
+void moveTo(PreparedScene& prepared, const Scene& scene, const ViewSettings& view)
+{
+    prepared.scene = underView(underLightType(scene), view.view);
+    PackedScene packed = pack(prepared.scene, prepared.plan, View{view.height, view.samples});
+    packed.pictures = std::move(prepared.packed.pictures);
+    packed.sky_picture = std::move(prepared.packed.sky_picture);
+    packed.skyPictureBrightness = prepared.packed.skyPictureBrightness;
+    prepared.packed = std::move(packed);
+    setCutOff(prepared, scene, view);
 }
 
 } // namespace dioptre

@@ -30,4 +30,8 @@ struct PreparedScene {
 // Throws badInput and inputMissing for faults in the scene's numbers and pictures.
 PreparedScene prepare(const Scene& scene, const ViewSettings& view);
 
+// The same scene at another time, in place: its plan, shader, parts and pictures stay as they are. `view` is
+// that of prepare(). Throws badInput for faults in the scene's numbers.
+void moveTo(PreparedScene& prepared, const Scene& scene, const ViewSettings& view);
+
 } // namespace dioptre

@@ -30,7 +30,7 @@ Plan planFor(const PreparedScene& prepared, const PicturePart& part)
 } // namespace
 
 Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, const ContextInfo& context)
-    : prepared_(prepared), view_(view)
+    : prepared_(&prepared), view_(view)
 {
     const PackedScene& packed = prepared.packed;
     Stopwatch watch;
@@ -62,6 +62,12 @@ Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, cons
     times_.firstDraw = watch.lap_ms();
 }
 
+void Renderer::update(const PreparedScene& prepared)
+{
+    prepared_ = &prepared;
+    uploadNumbers(device_, prepared.packed);
+}
+
 void Renderer::draw(const std::function<void(double)>& progress)
 {
     submit(progress);
@@ -84,7 +90,7 @@ void Renderer::submit(const std::function<void(double)>& progress)
     };
     clear(target_);
     for (const auto& part : parts_) {
-        bind(part.program, device_, prepared_.packed, view_.width, view_.height);
+        bind(part.program, device_, prepared_->packed, view_.width, view_.height);
         for (const auto& batch : batches_) {
             setSamples(part.program, batch);
             for (const auto& r : part.part.rectangles)

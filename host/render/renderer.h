@@ -34,6 +34,10 @@ public:
     // and line when the shader does not compile.
     Renderer(const PreparedScene& prepared, const ViewSettings& view, const ContextInfo& context);
 
+    // Goes on with the same scene at another time, as moveTo() left it: nothing is compiled, and no picture
+    // is uploaded. `prepared` must outlive the renderer.
+    void update(const PreparedScene& prepared);
+
     // Draws all samples of all pixels anew and returns when they are done. `progress` is told the share that
     // is drawn, 0..1; it may be empty.
     void draw(const std::function<void(double)>& progress = {});
@@ -59,7 +63,7 @@ public:
     }
 
 private:
-    const PreparedScene& prepared_;
+    const PreparedScene* prepared_;
     ViewSettings view_;
     std::vector<SampleBatch> batches_;
     std::vector<PartProgram> parts_;

@@ -55,14 +55,9 @@ void finish(Still& still, float scale, double raysScale)
     still.nonfinite = countNonfinite(still.picture);
 }
 
-Still renderScene(const PreparedScene& prepared, const StillSettings& settings, const ContextInfo& context)
+Still drawFrame(Renderer& renderer, const StillSettings& settings)
 {
     Still still;
-    Renderer renderer(prepared, settings, context);
-    still.phases.load = renderer.times().load;
-    still.phases.compile = renderer.times().compile;
-    still.phases.firstDraw = renderer.times().firstDraw;
-
     Stopwatch watch;
     renderer.draw(settings.progress);
     still.phases.draw = watch.lap_ms();
@@ -71,6 +66,16 @@ Still renderScene(const PreparedScene& prepared, const StillSettings& settings, 
         dataFromSums(still.picture, settings.view, settings.samples);
     finish(still, 1.0F / static_cast<float>(settings.samples), 1.0 / settings.samples);
     still.phases.read = watch.lap_ms();
+    return still;
+}
+
+Still renderScene(const PreparedScene& prepared, const StillSettings& settings, const ContextInfo& context)
+{
+    Renderer renderer(prepared, settings, context);
+    Still still = drawFrame(renderer, settings);
+    still.phases.load = renderer.times().load;
+    still.phases.compile = renderer.times().compile;
+    still.phases.firstDraw = renderer.times().firstDraw;
 
     const PartProgram& fullest = renderer.parts().back();
     still.shader = fullest.shader;

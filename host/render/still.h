@@ -56,6 +56,12 @@ struct Still {
 // compile.
 Still renderScene(const PreparedScene& prepared, const StillSettings& settings, const ContextInfo& context);
 
+class Renderer;
+
+// The picture alone of a scene that is on the device, for one frame of many: without the program's texts and
+// names. `settings` are the renderer's.
+Still drawFrame(Renderer& renderer, const StillSettings& settings);
+
 // Turns the rays counted in alpha into raysPerSample, alpha into 1, and counts pixels that are not finite.
 // The colours are multiplied by `scale`.
 void finish(Still& still, float scale, double raysScale);

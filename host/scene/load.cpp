@@ -70,19 +70,25 @@ void refuseOverridden(const std::vector<Overridden>& overrides, const std::vecto
 
 } // namespace
 
-Scene parseScene(const std::string& text, const std::filesystem::path& path,
-                 const std::vector<std::string>& overrides, double time_s)
+SceneOverTime parseSceneOverTime(const std::string& text, const std::filesystem::path& path,
+                                 const std::vector<std::string>& overrides)
 {
     Value document = parseDocument(text, path.string());
     const std::vector<Overridden> overridden = applyOverrides(document, overrides);
     Scene still = readScene(document, path);
     std::vector<Track> tracks = takeTracks(document);
     if (tracks.empty())
-        return still;
+        return [still = std::move(still)](double) { return still; };
     refuseOverridden(overridden, tracks);
-    const AnimatedDocument animation{std::move(document), std::move(tracks), path};
+    AnimatedDocument animation{std::move(document), std::move(tracks), path};
     checkKeys(animation);
-    return sceneAt(animation, time_s);
+    return [animation = std::move(animation)](double time_s) { return sceneAt(animation, time_s); };
+}
+
+Scene parseScene(const std::string& text, const std::filesystem::path& path,
+                 const std::vector<std::string>& overrides, double time_s)
+{
+    return parseSceneOverTime(text, path, overrides)(time_s);
 }
 
 Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides, double time_s)

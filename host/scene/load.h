@@ -4,6 +4,7 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,5 +22,12 @@ Scene loadScene(const std::filesystem::path& path, const std::vector<std::string
 // The same from text; `path` is for messages and for the folder that picture names are relative to.
 Scene parseScene(const std::string& text, const std::filesystem::path& path,
                  const std::vector<std::string>& overrides = {}, double time_s = 0.0);
+
+// A scene at any time, seconds; throws badInput where a mixture of good keys is no good.
+using SceneOverTime = std::function<Scene(double time_s)>;
+
+// As parseScene(), for many times: the text is read and checked once.
+SceneOverTime parseSceneOverTime(const std::string& text, const std::filesystem::path& path,
+                                 const std::vector<std::string>& overrides = {});
 
 } // namespace dioptre

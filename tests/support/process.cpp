@@ -17,8 +17,9 @@ Outcome run(const std::string& command)
     if (mkdtemp(place.data()) == nullptr)
         throw std::runtime_error("no temporary folder");
     // A function stands for the program, so that tests read as a user types. What the user's own cache holds
-    // must not matter.
-    const std::string whole = "export DIOPTRE_CACHE=off\ndioptre() { '" DIOPTRE_PROGRAM "' \"$@\"; }\n{ " +
+    // must not matter. What is to be sent signals is started as "$PROGRAM".
+    const std::string whole = "export DIOPTRE_CACHE=off PROGRAM='" DIOPTRE_PROGRAM
+                              "'\ndioptre() { \"$PROGRAM\" \"$@\"; }\n{ " +
                               command + "\n} >'" + place + "/out' 2>'" + place + "/error' </dev/null";
     const int status = std::system(whole.c_str());
     Outcome outcome;
