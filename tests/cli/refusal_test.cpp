@@ -97,6 +97,8 @@ const std::vector<Case> cases = {
      "dioptre render p.frag -o a.png",
      65,
      {"p.frag", "mainImage"}},
+    {"StandardOutputFull", "", "dioptre list >/dev/full", 73, {"standard output"}},
+    {"StandardOutputClosed", "", "dioptre list --json >&-", 73, {"standard output"}},
     {"SizeThatOverflows",
      "",
      "dioptre render still_life --size 4294967306x10 -o a.png",
