@@ -6,10 +6,12 @@
 #include "command/plain_tracer.h"
 #include "command/progress.h"
 #include "render/interleave.h"
+#include "render/plain.h"
 #include "render/still.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace dioptre
@@ -29,12 +31,15 @@ Rounds roundsOf(const BenchOptions& options, std::size_t inputs)
     return rounds;
 }
 
-// Of the frame that was drawn last; it is checked on the way.
-double raysPerPixel(const Renderer& renderer, const std::string& name)
+// Of the frame that was drawn last, 0 for a plain shader, of which nobody knows; it is checked on the way.
+double raysPerPixel(const BenchDrawing& drawn, const std::string& name)
 {
     Still still;
-    still.picture = renderer.read();
-    finish(still, 1.0F, 1.0);
+    still.picture = drawn.drawing->read();
+    if (drawn.prepared)
+        finish(still, 1.0F, 1.0);
+    else
+        still.nonfinite = countNonfinite(still.picture);
     if (still.nonfinite > 0)
         fmt::print(stderr, "dioptre: {}: {} pixels are not finite\n", name, still.nonfinite);
     return still.raysPerSample;
@@ -45,20 +50,22 @@ void timeFrames(const std::vector<BenchInput>& inputs, const BenchOptions& optio
                 std::vector<BenchRow>& rows)
 {
     const ViewSettings view{options.width, options.height, options.samples, glslFolder()};
+    if (std::ranges::any_of(inputs, &BenchInput::plainShader))
+        startVariablesAtZero();
     const auto context = makeContext(options.backend);
     const ClockKind kind = clockFor(context->info());
     const Rounds rounds = roundsOf(options, inputs.size());
-    std::vector<std::unique_ptr<PreparedScene>> prepared; // outlive the renderers
-    std::vector<std::unique_ptr<Renderer>> renderers;
+    std::vector<BenchDrawing> made;
+    std::vector<Drawing*> drawings;
     for (const auto& input : inputs) {
-        prepared.push_back(std::make_unique<PreparedScene>(prepare(sceneOf(input), view)));
-        renderers.push_back(std::make_unique<Renderer>(*prepared.back(), view, context->info()));
+        made.push_back(drawingOf(input, view, context->info()));
+        drawings.push_back(made.back().drawing.get());
     }
     FrameClock clock(kind);
-    const auto times_ms = timeInterleaved(renderers, clock, rounds, terminalProgress());
+    const auto times_ms = timeInterleaved(drawings, clock, rounds, terminalProgress());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         rows[i].frame_ms = times_ms[i];
-        rows[i].raysPerPixel = raysPerPixel(*renderers[i], rows[i].name);
+        rows[i].raysPerPixel = raysPerPixel(made[i], rows[i].name);
     }
     result.context = context->info();
     result.clock = nameOf(kind);
@@ -75,7 +82,11 @@ ExitCode bench(const BenchOptions& options)
     if (options.coldStart)
         return startCold(inputs.front(), options);
     for (const auto& input : inputs)
-        sceneOf(input); // its faults are told before anything is measured
+        if (!input.plainShader)
+            sceneOf(input); // its faults are told before anything is measured
+    if (options.python && inputs.front().plainShader)
+        fail(ExitCode::usage, inputs.front().name + " is a plain shader, and --python traces scenes",
+             "put a scene first, or leave --python out");
 
     BenchResult result;
     result.width = options.width;

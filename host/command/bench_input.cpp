@@ -2,6 +2,8 @@
 
 #include "base/error.h"
 #include "command/input.h"
+#include "command/plain_options.h"
+#include "render/renderer.h"
 #include "scene/load.h"
 #include "scene/override.h"
 
@@ -20,7 +22,8 @@ bool hasExtension(const std::string& text)
 bool isThere(const std::string& text)
 {
     const auto names = galleryNames();
-    return std::find(names.begin(), names.end(), text) != names.end() ||
+    const auto shaders = galleryShaders();
+    return std::ranges::count(names, text) + std::ranges::count(shaders, text) > 0 ||
            (hasExtension(text) && std::filesystem::is_regular_file(text));
 }
 
@@ -49,24 +52,35 @@ BenchInput readBenchInput(const std::string& text)
 {
     const std::size_t parting = partingAt(text);
     const Input input = findInput(text.substr(0, parting));
-    if (input.plainShader)
-        fail(ExitCode::usage, text + " is a plain shader, and bench times scenes",
-             "give a name of the gallery or a .toml file");
     if (parting == text.size())
-        return {text, input.path, {}};
+        return {text, input.path, {}, input.plainShader};
     if (parting + 1 == text.size())
         fail(ExitCode::usage, text + " has nothing behind its @",
              "write path=value there, as in still_life@trace.form=loop, or leave the @ out");
-    return {text, input.path, splitOverrides(text.substr(parting + 1))};
+    return {text, input.path, splitOverrides(text.substr(parting + 1)), input.plainShader};
 }
 
 Scene sceneOf(const BenchInput& input)
 {
     try {
-        return loadScene(input.scene, input.overrides);
+        return loadScene(input.file, input.overrides);
     } catch (const Error& error) { // "--set …" alone would not say which of the inputs it is
         throw Error(error.code(), input.overrides.empty() ? error.what() : input.name + ": " + error.what());
     }
+}
+
+BenchDrawing drawingOf(const BenchInput& input, const ViewSettings& view, const ContextInfo& context)
+{
+    BenchDrawing made;
+    if (input.plainShader) {
+        PlainSettings plain;
+        plain.values = plainValues(input.overrides);
+        made.drawing = std::make_unique<PlainRenderer>(input.file, view, plain);
+    } else {
+        made.prepared = std::make_unique<PreparedScene>(prepare(sceneOf(input), view));
+        made.drawing = std::make_unique<Renderer>(*made.prepared, view, context);
+    }
+    return made;
 }
 
 } // namespace dioptre

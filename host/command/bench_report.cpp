@@ -79,7 +79,7 @@ Cells frameCells(const BenchResult& result, const BenchRow& row)
                 "1",
                 "",
                 "",
-                fmt::format("{:.2f}", row.raysPerPixel)};
+                row.raysPerPixel > 0.0 ? fmt::format("{:.2f}", row.raysPerPixel) : ""};
     if (&row == &result.inputs.front())
         return cells;
     cells[3] = fmt::format("{:.3f}", ratio.value);

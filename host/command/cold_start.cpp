@@ -4,7 +4,7 @@
 #include "base/statistics.h"
 #include "command/figures.h"
 #include "command/input.h"
-#include "render/renderer.h"
+#include "render/plain.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -69,12 +69,13 @@ void startOnce(const BenchInput& input, const BenchOptions& options, BenchRow& r
 ExitCode startCold(const BenchInput& input, const BenchOptions& options)
 {
     const ViewSettings view{options.width, options.height, options.samples, glslFolder()};
-    const PreparedScene prepared = prepare(sceneOf(input), view);
+    if (input.plainShader)
+        startVariablesAtZero();
     const auto context = makeContext(options.backend);
-    Renderer renderer(prepared, view, context->info());
-    renderer.draw(); // for the peak memory
-    const nlohmann::json json = {{"compile_ms", renderer.times().compile},
-                                 {"first_draw_ms", renderer.times().firstDraw}};
+    const BenchDrawing made = drawingOf(input, view, context->info());
+    made.drawing->draw(); // for the peak memory
+    const nlohmann::json json = {{"compile_ms", made.drawing->times().compile},
+                                 {"first_draw_ms", made.drawing->times().firstDraw}};
     fmt::print("{}\n", json.dump());
     return ExitCode::done;
 }

@@ -10,8 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <future>
 
 namespace dioptre
@@ -40,24 +38,35 @@ FrameDrawer::FrameDrawer(const RenderOptions& options, const Input& input, doubl
         context_ = glContext_->info();
         made_.context = watch.lap_ms();
     }
-    if (!preparing.valid())
+    if (input.plainShader) {
+        plain_.frame.time_s = first_s;
+        plainRenderer_ = std::make_unique<PlainRenderer>(input.path, settings_, plain_);
+        addTimes(plainRenderer_->times());
         return;
+    }
     prepared_ = preparing.get();
     made_.load += watch.lap_ms(); // what the making of the context did not hide
     if (options.reference)
         return;
     renderer_ = std::make_unique<Renderer>(*prepared_, settings_, context_);
-    made_.load += renderer_->times().load;
-    made_.compile = renderer_->times().compile;
-    made_.firstDraw = renderer_->times().firstDraw;
+    addTimes(renderer_->times());
+}
+
+void FrameDrawer::addTimes(const BuildTimes& times)
+{
+    made_.load += times.load;
+    made_.compile = times.compile;
+    made_.firstDraw = times.firstDraw;
 }
 
 Still FrameDrawer::draw(double time_s, const std::function<void(double)>& progress)
 {
     settings_.progress = progress;
-    plain_.frame.time_s = time_s;
-    if (input_.plainShader)
-        return renderPlain(input_.path, settings_, plain_);
+    if (plainRenderer_) {
+        plain_.frame.time_s = time_s;
+        plainRenderer_->moveTo(plain_.frame);
+        return drawPlain(*plainRenderer_, progress);
+    }
     Stopwatch watch;
     moveTo(*prepared_, scene_(time_s), settings_);
     if (renderer_)
@@ -87,9 +96,7 @@ void addPictures(std::string& all, const PreparedScene& prepared)
 
 std::string FrameDrawer::plainSources() const
 {
-    std::array<ChannelKind, 4> kinds{};
-    std::ranges::transform(plain_.channels, kinds.begin(), &ChannelSource::kind);
-    std::string all = flatten(assemblePlain(input_.path, settings_.glslFolder, kinds).text);
+    std::string all = flatten(plainRenderer_->text());
     all += fmt::format("{} frames a second\n", plain_.frame.rate);
     for (const auto& channel : plain_.channels) {
         all += fmt::format("{} {} {} {}\n", static_cast<int>(channel.filter), static_cast<int>(channel.wrap),

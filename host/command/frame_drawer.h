@@ -29,13 +29,13 @@ public:
     {
         return prepared_ ? &*prepared_ : nullptr;
     }
-    // What the making took, milliseconds; of a plain shader each frame has its own load and compile.
+    // What the making took, milliseconds.
     const Phases& made() const
     {
         return made_;
     }
 
-    // `progress` is told the share that is drawn, 0..1. A plain shader tells none.
+    // `progress` is told the share that is drawn, 0..1.
     Still draw(double time_s, const std::function<void(double)>& progress);
 
     // A fingerprint of all that decides the pictures but the options and the time: the input's text, the
@@ -43,6 +43,7 @@ public:
     unsigned long long sourcesFingerprint() const;
 
 private:
+    void addTimes(const BuildTimes& times);
     std::string plainSources() const;
 
     Input input_;
@@ -54,6 +55,7 @@ private:
     std::unique_ptr<Context> glContext_;
     ContextInfo context_;
     std::unique_ptr<Renderer> renderer_;
+    std::unique_ptr<PlainRenderer> plainRenderer_;
     Phases made_;
 };
 

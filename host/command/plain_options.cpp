@@ -32,6 +32,18 @@ Mouse mouseIn(const std::string& option)
 
 } // namespace
 
+PlainValues plainValues(const std::vector<std::string>& entries)
+{
+    PlainValues values;
+    for (const auto& entry : entries) {
+        const auto equals = entry.find('=');
+        if (equals == std::string::npos || equals == 0)
+            fail(ExitCode::usage, "--set " + entry + " has no NAME=VALUE", "as in --set u_speed=2");
+        values[entry.substr(0, equals)] = entry.substr(equals + 1);
+    }
+    return values;
+}
+
 PlainSettings plainSettings(const RenderOptions& options)
 {
     PlainSettings settings;
@@ -40,12 +52,7 @@ PlainSettings plainSettings(const RenderOptions& options)
     settings.frame.time_s = options.time_s;
     if (!options.mouse.empty())
         settings.frame.mouse = mouseIn(options.mouse);
-    for (const auto& entry : options.overrides) {
-        const auto equals = entry.find('=');
-        if (equals == std::string::npos || equals == 0)
-            fail(ExitCode::usage, "--set " + entry + " has no NAME=VALUE", "as in --set u_speed=2");
-        settings.values[entry.substr(0, equals)] = entry.substr(equals + 1);
-    }
+    settings.values = plainValues(options.overrides);
     return settings;
 }
 

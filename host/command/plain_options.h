@@ -9,5 +9,6 @@ namespace dioptre
 
 // Throws usage for options that cannot be read.
 PlainSettings plainSettings(const RenderOptions& options);
+PlainValues plainValues(const std::vector<std::string>& entries); // each NAME=VALUE
 
 } // namespace dioptre

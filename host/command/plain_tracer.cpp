@@ -35,17 +35,17 @@ PlainTracer runPlainTracer(const BenchInput& input, const BenchOptions& options)
     const double pixels = static_cast<double>(options.width) * options.height;
     const int stride = std::max(1, static_cast<int>(std::lround(std::sqrt(pixels / drawnPixels))));
     const auto outcome =
-        runChild({"python3", script.string(), input.scene.string(), std::to_string(options.width),
+        runChild({"python3", script.string(), input.file.string(), std::to_string(options.width),
                   std::to_string(options.height), std::to_string(stride)});
     if (!outcome)
         fail(ExitCode::toolMissing, "--python needs python3, which cannot be started",
              "install the package python3, or leave --python out");
     const auto numbers = numbersIn(outcome->out, {"pixels", "seconds", "scaled_seconds"});
     if (outcome->code != 0 || outcome->signal != 0 || !numbers)
-        fail(ExitCode::badInput, {input.scene.string()},
+        fail(ExitCode::badInput, {input.file.string()},
              fmt::format("the plain Python tracer does not draw it ({})", lastLine(outcome->error)),
              "put another scene first, or leave --python out");
-    return {input.scene.stem().string(), std::lround(numbers->at(0)), 1e3 * numbers->at(1),
+    return {input.file.stem().string(), std::lround(numbers->at(0)), 1e3 * numbers->at(1),
             1e3 * numbers->at(2) * options.samples};
 }
 

@@ -8,11 +8,11 @@
 namespace dioptre
 {
 
-std::vector<std::vector<double>> timeInterleaved(const std::vector<std::unique_ptr<Renderer>>& renderers,
-                                                 FrameClock& clock, const Rounds& rounds,
+std::vector<std::vector<double>> timeInterleaved(const std::vector<Drawing*>& drawings, FrameClock& clock,
+                                                 const Rounds& rounds,
                                                  const std::function<void(double)>& progress)
 {
-    std::vector<std::vector<double>> times_ms(renderers.size());
+    std::vector<std::vector<double>> times_ms(drawings.size());
     const auto all = static_cast<double>(rounds.warmUp + rounds.most);
     Stopwatch watch;
     double elapsed_ms = 0.0;
@@ -20,8 +20,8 @@ std::vector<std::vector<double>> timeInterleaved(const std::vector<std::unique_p
         const std::size_t counted = round - std::min(round, rounds.warmUp);
         if (counted >= rounds.least && counted % 2 == 0 && elapsed_ms > rounds.budget_ms)
             break;
-        for (const std::size_t i : roundOrder(renderers.size(), counted)) {
-            const double frame_ms = clock.time_ms([&] { renderers[i]->submit(); });
+        for (const std::size_t i : roundOrder(drawings.size(), counted)) {
+            const double frame_ms = clock.time_ms([&] { drawings[i]->submit(); });
             if (round >= rounds.warmUp)
                 times_ms[i].push_back(frame_ms);
         }

@@ -1,12 +1,11 @@
-// Frames of several renderers, timed in turn.
+// Frames of several drawings, timed in turn.
 #pragma once
 
+#include "render/drawing.h"
 #include "render/frame_clock.h"
-#include "render/renderer.h"
 
 #include <functional>
 #include <limits>
-#include <memory>
 #include <vector>
 
 namespace dioptre
@@ -19,10 +18,10 @@ struct Rounds {
     double budget_ms = std::numeric_limits<double>::infinity(); // no further pair of rounds after that
 };
 
-// Each renderer's frame times in milliseconds, round by round: every renderer draws once in a round, in ABBA
+// Each drawing's frame times in milliseconds, round by round: every one is drawn once in a round, in ABBA
 // order. `progress` is told the share done; it may be empty.
-std::vector<std::vector<double>> timeInterleaved(const std::vector<std::unique_ptr<Renderer>>& renderers,
-                                                 FrameClock& clock, const Rounds& rounds,
+std::vector<std::vector<double>> timeInterleaved(const std::vector<Drawing*>& drawings, FrameClock& clock,
+                                                 const Rounds& rounds,
                                                  const std::function<void(double)>& progress);
 
 } // namespace dioptre

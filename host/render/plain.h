@@ -1,6 +1,8 @@
 // A plain shader from its file to a picture: one sample a pixel, no decoding and no encoding.
 #pragma once
 
+#include "gl/target.h"
+#include "render/drawing.h"
 #include "render/plain_channels.h"
 #include "render/plain_uniforms.h"
 #include "render/still.h"
@@ -18,7 +20,44 @@ struct PlainSettings {
 // browser.
 void startVariablesAtZero();
 
-// Draws on the current context.
+class PlainRenderer final : public Drawing
+{
+public:
+    // On the current context. Throws badInput with the author's file and line when the shader does not
+    // compile or reads what nothing feeds, and usage for values that do not fit it.
+    PlainRenderer(const std::filesystem::path& shader, const ViewSettings& view, PlainSettings plain);
+
+    // Goes on at another time.
+    void moveTo(const PlainFrame& frame);
+
+    // Colours as the shader gives them.
+    void submit(const std::function<void(double)>& progress = {}) override;
+    Picture read() const override;
+
+    const SourceText& text() const
+    {
+        return text_;
+    }
+    const Program& program() const
+    {
+        return program_;
+    }
+
+private:
+    void bind() const; // program, channels and uniforms
+
+    std::filesystem::path shader_;
+    PlainSettings plain_;
+    SourceText text_;
+    std::array<Channel, 4> channels_;
+    AccumulationTarget target_;
+    Program program_;
+};
+
+// The picture with the times of drawing and reading.
+Still drawPlain(PlainRenderer& renderer, const std::function<void(double)>& progress);
+
+// The same from the file on.
 Still renderPlain(const std::filesystem::path& shader, const StillSettings& settings,
                   const PlainSettings& plain);
 

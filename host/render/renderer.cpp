@@ -68,12 +68,6 @@ void Renderer::update(const PreparedScene& prepared)
     uploadNumbers(device_, prepared.packed);
 }
 
-void Renderer::draw(const std::function<void(double)>& progress)
-{
-    submit(progress);
-    glFinish();
-}
-
 // Rectangles bound the time of a draw, batches its loop iterations.
 void Renderer::submit(const std::function<void(double)>& progress)
 {

@@ -4,20 +4,12 @@
 #include "gl/context.h"
 #include "gl/target.h"
 #include "render/device_scene.h"
+#include "render/drawing.h"
 #include "render/prepare.h"
 #include "render/samples.h"
 
-#include <functional>
-
 namespace dioptre
 {
-
-// What the constructor of a Renderer took; milliseconds.
-struct BuildTimes {
-    double load = 0.0;      // assembly and upload
-    double compile = 0.0;   // compile and link
-    double firstDraw = 0.0; // one pixel: drivers compile here
-};
 
 // A part of the picture with its own plan and program.
 struct PartProgram {
@@ -27,7 +19,7 @@ struct PartProgram {
     Program program;
 };
 
-class Renderer
+class Renderer final : public Drawing
 {
 public:
     // On the current context. `prepared` must outlive the renderer. Throws badInput with the author's file
@@ -38,20 +30,12 @@ public:
     // is uploaded. `prepared` must outlive the renderer.
     void update(const PreparedScene& prepared);
 
-    // Draws all samples of all pixels anew and returns when they are done. `progress` is told the share that
-    // is drawn, 0..1; it may be empty.
-    void draw(const std::function<void(double)>& progress = {});
+    // All samples of all pixels.
+    void submit(const std::function<void(double)>& progress = {}) override;
 
-    // The same without waiting for the end, unless `progress` wants to hear of it.
-    void submit(const std::function<void(double)>& progress = {});
+    // The sums of the samples in rgb, the rays traced in alpha.
+    Picture read() const override;
 
-    // The sums of the samples in rgb, the rays traced in alpha; rows from the bottom up.
-    Picture read() const;
-
-    const BuildTimes& times() const
-    {
-        return times_;
-    }
     // What each part of the picture is drawn by, the fullest last.
     const std::vector<PartProgram>& parts() const
     {
@@ -69,7 +53,6 @@ private:
     std::vector<PartProgram> parts_;
     DeviceScene device_;
     AccumulationTarget target_;
-    BuildTimes times_;
 };
 
 } // namespace dioptre

@@ -146,6 +146,15 @@ TEST_F(BenchCommand, Tables_NameInputsControlAndClock)
         EXPECT_NE(outcome.out.find(text), std::string::npos) << text << " not in\n" << outcome.out;
 }
 
+TEST_F(BenchCommand, PlainShaders_AreTimedBesideScenes)
+{
+    const auto figures = json("ball.toml founding founding@u_radius=0.5");
+    ASSERT_EQ(figures["inputs"].size(), 3U);
+    EXPECT_EQ(figures["inputs"][2]["name"], "founding@u_radius=0.5");
+    EXPECT_EQ(figures["inputs"][1]["rounds"]["frame_ms"].size(), 3U);
+    EXPECT_EQ(figures["inputs"][1]["rays_per_pixel"], 0.0) << "nobody knows of a plain shader";
+}
+
 TEST_F(BenchCommand, OsMesa_IsNamedWhereItRan)
 {
     EXPECT_EQ(json("ball.toml --backend osmesa")["backend"], "osmesa");

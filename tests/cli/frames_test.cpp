@@ -13,7 +13,7 @@ using namespace dioptre;
 namespace
 {
 
-const std::string small = " --size 32x18 --spp 1 ";
+const std::string smallFrames = " --size 32x18 --spp 1 ";
 
 class FramesCommand : public test::InAFolder
 {
@@ -45,7 +45,7 @@ protected:
 };
 
 // A scene of its own, to be edited.
-const std::string ball =
+const std::string movingBall =
     "printf '[camera]\\neye = [0, 0, 5]\\n[material.m]\\ncolour = [1, 0, 0]\\nemission = [1, 0, 0]\\n"
     "[[sphere]]\\nname = \"ball\"\\ncentre = [0, 0, 0]\\nradius = 1\\nmaterial = \"m\"\\n"
     "[[animate]]\\npath = \"ball.centre\"\\ntimes = [0, 4]\\nvalues = [[-2, 0, 0], [2, 0, 0]]\\n' "
@@ -55,7 +55,7 @@ const std::string ball =
 
 TEST_F(FramesCommand, Frames_AreNumberedByFourDigits_AndBothEndsAreDrawn)
 {
-    const auto outcome = here("dioptre render orrery --frames 8:10" + small + "-o turn.png");
+    const auto outcome = here("dioptre render orrery --frames 8:10" + smallFrames + "-o turn.png");
     ASSERT_EQ(outcome.code, 0) << outcome.error;
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(files(), (std::vector<std::string>{"turn.0008.png", "turn.0009.png", "turn.0010.png"}));
@@ -63,26 +63,26 @@ TEST_F(FramesCommand, Frames_AreNumberedByFourDigits_AndBothEndsAreDrawn)
 
 TEST_F(FramesCommand, ARunOfHashes_StandsForTheNumber)
 {
-    ASSERT_EQ(here("dioptre render orrery --frames 7:11:4" + small + "-o t_##_a.exr").code, 0);
+    ASSERT_EQ(here("dioptre render orrery --frames 7:11:4" + smallFrames + "-o t_##_a.exr").code, 0);
     EXPECT_EQ(files(), (std::vector<std::string>{"t_07_a.exr", "t_11_a.exr"}));
 }
 
 TEST_F(FramesCommand, TheLargestNumber_SetsTheWidthOfAll)
 {
-    ASSERT_EQ(here("dioptre render orrery --frames 2:10002:10000" + small + "-o t.png").code, 0);
+    ASSERT_EQ(here("dioptre render orrery --frames 2:10002:10000" + smallFrames + "-o t.png").code, 0);
     EXPECT_EQ(files(), (std::vector<std::string>{"t.00002.png", "t.10002.png"}));
 }
 
 TEST_F(FramesCommand, WithoutOutput_FramesAreNamedAfterTheScene)
 {
-    ASSERT_EQ(here("dioptre render orrery --frames 0:0" + small).code, 0);
+    ASSERT_EQ(here("dioptre render orrery --frames 0:0" + smallFrames).code, 0);
     EXPECT_EQ(files(), (std::vector<std::string>{"orrery.0000.png"}));
 }
 
 TEST_F(FramesCommand, ATime_IsTheStartAndTheNumberOverTheRate_NeverASum)
 {
     const auto figures =
-        figuresOf("dioptre render orrery --frames 1:15:7 --fps 10 --time 0.5" + small + "-o t.png");
+        figuresOf("dioptre render orrery --frames 1:15:7 --fps 10 --time 0.5" + smallFrames + "-o t.png");
     ASSERT_EQ(figures["frames"].size(), 3U);
     const double expected[] = {0.5 + 1 / 10.0, 0.5 + 8 / 10.0, 0.5 + 15 / 10.0};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -97,14 +97,15 @@ TEST_F(FramesCommand, ATime_IsTheStartAndTheNumberOverTheRate_NeverASum)
 
 TEST_F(FramesCommand, TheRate_Is25WhereNoneIsGiven)
 {
-    EXPECT_EQ(figuresOf("dioptre render orrery --frames 7:7" + small + "-o t.png")["frames"][0]["time_s"],
-              7 / 25.0);
+    EXPECT_EQ(
+        figuresOf("dioptre render orrery --frames 7:7" + smallFrames + "-o t.png")["frames"][0]["time_s"],
+        7 / 25.0);
 }
 
 TEST_F(FramesCommand, AFrame_IsTheStillOfItsTime)
 {
-    ASSERT_EQ(here("dioptre render orrery --frames 0:2 --fps 1" + small +
-                   "-o t.exr && dioptre render orrery --time 2" + small + "-o still.exr")
+    ASSERT_EQ(here("dioptre render orrery --frames 0:2 --fps 1" + smallFrames +
+                   "-o t.exr && dioptre render orrery --time 2" + smallFrames + "-o still.exr")
                   .code,
               0);
     EXPECT_EQ(readPicture(folder / "t.0002.exr").floats, readPicture(folder / "still.exr").floats);
@@ -114,8 +115,8 @@ TEST_F(FramesCommand, AFrame_IsTheStillOfItsTime)
 TEST_F(FramesCommand, OfTheReferenceAndOfViews_AreThoseStills)
 {
     for (const std::string how : {"--reference", "--view depth"}) {
-        ASSERT_EQ(here("dioptre render orrery --frames 0:1 --fps 1 " + how + small +
-                       "-o t.exr && dioptre render orrery --time 1 " + how + small + "-o still.exr")
+        ASSERT_EQ(here("dioptre render orrery --frames 0:1 --fps 1 " + how + smallFrames +
+                       "-o t.exr && dioptre render orrery --time 1 " + how + smallFrames + "-o still.exr")
                       .code,
                   0);
         EXPECT_EQ(readPicture(folder / "t.0001.exr").floats, readPicture(folder / "still.exr").floats) << how;
@@ -136,7 +137,7 @@ TEST_F(FramesCommand, OfAPlainShader_AreFedTheTime)
 TEST_F(FramesCommand, Resume_DrawsWhatIsMissingOrCutShort_AndEndsWithTheSameBytes)
 {
     for (const std::string kind : {"png", "exr"}) {
-        const std::string command = "dioptre render orrery --frames 0:4" + small + "-o t." + kind;
+        const std::string command = "dioptre render orrery --frames 0:4" + smallFrames + "-o t." + kind;
         ASSERT_EQ(here(command).code, 0);
         const auto whole = contents();
         std::filesystem::remove(folder / ("t.0001." + kind));
@@ -156,7 +157,7 @@ TEST_F(FramesCommand, Resume_DrawsWhatIsMissingOrCutShort_AndEndsWithTheSameByte
 TEST_F(FramesCommand, Resume_DrawsAnewWhatAnySettingChanges)
 {
     const std::string command = "dioptre render ball.toml --frames 0:1 --size 32x18 -o t.png --resume ";
-    ASSERT_EQ(here(ball + command + "--spp 1").code, 0);
+    ASSERT_EQ(here(movingBall + command + "--spp 1").code, 0);
     EXPECT_EQ(figuresOf(command + "--spp 1")["kept"], 2);
     for (const std::string change :
          {"--spp 2", "--spp 1 --fps 24", "--spp 1 --time 1", "--spp 1 --set ball.radius=0.5",
@@ -174,8 +175,8 @@ TEST_F(FramesCommand, Resume_DrawsAnewWhereAPictureThatIsReadChanged)
 {
     const std::string shader = "printf 'out vec4 o;\\nvoid main()\\n{\\n    o = vec4(%s);\\n}\\n' ";
     const std::string paint = " >p.frag && dioptre render p.frag --size 8x4 -o p.png";
-    const std::string command = "dioptre render ball.toml --frames 0:1" + small + "-o t.png --resume";
-    ASSERT_EQ(here(ball + shader + "0.5" + paint +
+    const std::string command = "dioptre render ball.toml --frames 0:1" + smallFrames + "-o t.png --resume";
+    ASSERT_EQ(here(movingBall + shader + "0.5" + paint +
                    " && sed -i 's/^colour.*/image = \"p.png\"\\nambient = [1, 1, 1]/' ball.toml && "
                    "printf '[[light]]\\nkind = \"ambient\"\\nambient = [1, 1, 1]\\n' >>ball.toml && " +
                    command)
@@ -207,7 +208,7 @@ TEST_F(FramesCommand, Stopped_LeavesWholeFramesOnly_AndResumedGivesTheSameBytes)
 
 TEST_F(FramesCommand, WhatCannotBeWritten_IsRefusedFirst)
 {
-    const auto outcome = here("dioptre render orrery --frames 0:3" + small + "-o nowhere/t.png");
+    const auto outcome = here("dioptre render orrery --frames 0:3" + smallFrames + "-o nowhere/t.png");
     EXPECT_EQ(outcome.code, 73);
     EXPECT_NE(outcome.error.find("nowhere"), std::string::npos);
 }
@@ -215,7 +216,8 @@ TEST_F(FramesCommand, WhatCannotBeWritten_IsRefusedFirst)
 // Also for root, who may write everywhere.
 TEST_F(FramesCommand, WhatCannotBeWrittenInTheMiddle_LeavesTheEarlierFramesWhole)
 {
-    const auto outcome = here("mkdir t.0002.png && dioptre render orrery --frames 0:4" + small + "-o t.png");
+    const auto outcome =
+        here("mkdir t.0002.png && dioptre render orrery --frames 0:4" + smallFrames + "-o t.png");
     EXPECT_EQ(outcome.code, 73);
     EXPECT_NE(outcome.error.find("t.0002.png"), std::string::npos);
     EXPECT_EQ(files(), (std::vector<std::string>{"t.0000.png", "t.0001.png", "t.0002.png"}));

@@ -3,6 +3,8 @@
 #include "scene/load.h"
 #include "support/rendering.h"
 
+#include "render/renderer.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,6 +29,10 @@ struct TwoSkies {
         renderers.push_back(std::make_unique<Renderer>(dark, view, context));
         renderers.push_back(std::make_unique<Renderer>(bright, view, context));
     }
+    std::vector<Drawing*> drawings() const
+    {
+        return {renderers[0].get(), renderers[1].get()};
+    }
 };
 
 } // namespace
@@ -37,7 +43,7 @@ TEST(Interleave, EachRenderer_GetsATimeForEachCountedRound)
     FrameClock clock(clockFor(skies.context));
     Rounds rounds;
     rounds.most = 9;
-    const auto times_ms = timeInterleaved(skies.renderers, clock, rounds, {});
+    const auto times_ms = timeInterleaved(skies.drawings(), clock, rounds, {});
     ASSERT_EQ(times_ms.size(), 2U);
     for (const auto& times : times_ms) {
         EXPECT_EQ(times.size(), 9U);
@@ -51,7 +57,7 @@ TEST(Interleave, EachRenderer_DrawsItsOwnScene)
     FrameClock clock(clockFor(skies.context));
     Rounds rounds;
     rounds.most = 1;
-    timeInterleaved(skies.renderers, clock, rounds, {});
+    timeInterleaved(skies.drawings(), clock, rounds, {});
     EXPECT_FLOAT_EQ(skies.renderers[0]->read().floats[0], 0.25F);
     EXPECT_FLOAT_EQ(skies.renderers[1]->read().floats[0], 0.75F);
 }
@@ -64,7 +70,7 @@ TEST(Interleave, SpentBudget_EndsAfterTheLeastRounds)
     rounds.least = 5;
     rounds.budget_ms = 0.0;
     // Five at least, and as many forwards as backwards.
-    EXPECT_EQ(timeInterleaved(skies.renderers, clock, rounds, {})[0].size(), 6U);
+    EXPECT_EQ(timeInterleaved(skies.drawings(), clock, rounds, {})[0].size(), 6U);
 }
 
 TEST(Interleave, Progress_GrowsToTheWhole)
@@ -74,7 +80,7 @@ TEST(Interleave, Progress_GrowsToTheWhole)
     Rounds rounds;
     rounds.most = 4;
     std::vector<double> told;
-    timeInterleaved(skies.renderers, clock, rounds, [&told](double share) { told.push_back(share); });
+    timeInterleaved(skies.drawings(), clock, rounds, [&told](double share) { told.push_back(share); });
     EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
     EXPECT_GT(told.front(), 0.0);
     EXPECT_EQ(told.back(), 1.0);
