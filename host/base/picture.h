@@ -49,11 +49,6 @@ float linearFromSrgb8(std::uint8_t encoded);
 // picture.
 using Settings = std::map<std::string, std::string>;
 
-// Writes 8-bit RGB. The first three of the four channels of a float32 picture are sRGB-encoded when `encode`
-// is true and scaled by 255 otherwise. Throws cannotWrite.
-void writePng(const std::filesystem::path& path, const Picture& picture, bool encode,
-              const Settings& settings);
-
 // How a PNG holds the numbers of a float32 picture.
 struct PngForm {
     bool encode = true;            // by the sRGB curve or by `gamma`; otherwise 0..1 are scaled
@@ -64,7 +59,8 @@ struct PngForm {
 // The bytes of an 8-bit PNG's pixels: R, G, B of each, rows from the top down.
 std::vector<std::uint8_t> topDownBytes(const Picture& picture, const PngForm& form);
 
-// The same in any of the forms. Values outside 0..1 are clamped, NaN gives 0.
+// Writes the R, G, B of a picture: of 8 bits as they stand, of floats in that form. Values outside 0..1 are
+// clamped, NaN gives 0. Throws cannotWrite.
 void writePng(const std::filesystem::path& path, const Picture& picture, const PngForm& form,
               const Settings& settings);
 

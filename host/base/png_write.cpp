@@ -164,10 +164,4 @@ void writePng(const std::filesystem::path& path, const Picture& picture, const P
               form.bits == 16 ? writer.encode(codes16(picture, form)) : writer.encode(codes8(picture, form)));
 }
 
-void writePng(const std::filesystem::path& path, const Picture& picture, bool encode,
-              const Settings& settings)
-{
-    writePng(path, picture, PngForm{encode}, settings);
-}
-
 } // namespace dioptre

@@ -37,6 +37,10 @@ void refuseBadFrames(const RenderOptions& options, const FrameRange& range)
     if (options.why || !options.shader.empty())
         fail(ExitCode::usage, "--why and --shader speak of one picture",
              "ask without --frames: the shader is the same at every time");
+    if (options.resume && std::filesystem::path(options.output).extension() == ".hdr")
+        fail(ExitCode::usage,
+             "--resume knows whole frames by their text, and " + options.output + " keeps none",
+             "leave it out, or write -o FILE.exr");
     if (!isVideo(options.output))
         return;
     if (options.resume)
@@ -73,8 +77,9 @@ RenderOptions optionsOf(const RenderOptions& options, const Frame& frame, const 
     still.output = frame.output;
     std::string all =
         fmt::format("{:016x}\nhalf {}\nview {}\nbits {}\nexposure {}\ncurve {}\ngamma {}\nmouse {}\n",
-                    sources, options.half, options.view, options.bits, options.exposure.value_or(0.0),
-                    options.curve, options.gamma, options.mouse);
+                    sources, options.half, options.view, options.bits,
+                    options.exposure ? fmt::format("{}", *options.exposure) : "the scene's", options.curve,
+                    options.gamma, options.mouse);
     for (const auto& [key, value] : settingsOf(still, drawer.context()))
         all += key + " " + value + "\n";
     still.settingsHash = fmt::format("{:016x}", fingerprint(all));

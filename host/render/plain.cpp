@@ -38,6 +38,8 @@ PlainRenderer::PlainRenderer(const std::filesystem::path& shader, const ViewSett
     times_.load = watch.lap_ms();
     program_ = buildProgram(text_);
     times_.compile = watch.lap_ms();
+    glUseProgram(program_.name.name());
+    uniforms_ = feedOnce(program_, numbers(), plain_.values, shader_, text_);
     bind();
     drawAdding(target_, 0, 0, 1, 1); // makes the driver compile
     glFinish();
@@ -49,17 +51,21 @@ void PlainRenderer::moveTo(const PlainFrame& frame)
     plain_.frame = frame;
 }
 
+HostNumbers PlainRenderer::numbers() const
+{
+    std::array<glm::ivec2, 4> sizes_px;
+    std::ranges::transform(channels_, sizes_px.begin(), &Channel::size_px);
+    return hostUniforms(plain_.frame, target_.width, target_.height, sizes_px);
+}
+
 void PlainRenderer::bind() const
 {
     glUseProgram(program_.name.name());
-    std::array<glm::ivec2, 4> sizes_px;
     for (std::size_t i = 0; i < channels_.size(); ++i) {
-        sizes_px[i] = channels_[i].size_px;
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
         glBindTexture(channels_[i].target, channels_[i].texture.name());
     }
-    feed(program_, hostUniforms(plain_.frame, target_.width, target_.height, sizes_px), plain_.values,
-         shader_, text_);
+    feedFrame(uniforms_, numbers(), shader_);
 }
 
 // Scissored draws bound the time of each.

@@ -44,7 +44,8 @@ public:
     }
 
 private:
-    void bind() const; // program, channels and uniforms
+    HostNumbers numbers() const; // of the frame
+    void bind() const;           // program, channels and what the frame feeds
 
     std::filesystem::path shader_;
     PlainSettings plain_;
@@ -52,6 +53,7 @@ private:
     std::array<Channel, 4> channels_;
     AccumulationTarget target_;
     Program program_;
+    std::vector<HostUniform> uniforms_; // that each frame feeds
 };
 
 // The picture with the times of drawing and reading.

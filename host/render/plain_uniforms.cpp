@@ -113,8 +113,8 @@ void setChannel(const UniformType& type, const ActiveUniform& uniform, const std
 
 } // namespace
 
-std::map<std::string, std::vector<double>> hostUniforms(const PlainFrame& frame, int width, int height,
-                                                        const std::array<glm::ivec2, 4>& channelSizes_px)
+HostNumbers hostUniforms(const PlainFrame& frame, int width, int height,
+                         const std::array<glm::ivec2, 4>& channelSizes_px)
 {
     const double time = frame.time_s;
     const double number = std::clamp(std::floor(time * frame.rate + 0.5), -2147483648.0, 2147483647.0);
@@ -146,11 +146,12 @@ std::map<std::string, std::vector<double>> hostUniforms(const PlainFrame& frame,
             {"u_mouse", pointer}};
 }
 
-void feed(const Program& program, const std::map<std::string, std::vector<double>>& host,
-          const PlainValues& values, const std::filesystem::path& shader, const SourceText& text)
+std::vector<HostUniform> feedOnce(const Program& program, const HostNumbers& host, const PlainValues& values,
+                                  const std::filesystem::path& shader, const SourceText& text)
 {
     const auto uniforms = activeUniformsOf(program);
     refuseUnknown(values, uniforms, shader);
+    std::vector<HostUniform> fromHost;
     for (const auto& uniform : uniforms) {
         const UniformType* type = uniformType(uniform.type);
         if (type == nullptr)
@@ -158,19 +159,32 @@ void feed(const Program& program, const std::map<std::string, std::vector<double
                  "the uniform " + uniform.name + " is of a type that dioptre does not feed",
                  "use bool, int, uint, float, their vectors, mat2 to mat4, sampler2D, samplerCube");
         const auto value = values.find(uniform.name);
-        const auto known = host.find(uniform.name);
-        if (type->numbers == Numbers::sampler) {
+        if (type->numbers == Numbers::sampler)
             setChannel(*type, uniform, shader);
-        } else if (value != values.end()) {
+        else if (value != values.end())
             setUniform(*type, uniform, valueFor(*type, uniform, value->second));
-        } else if (known != host.end()) {
-            auto numbers = known->second;
-            numbers.resize(numbersOf(*type, uniform), 0.0);
-            setUniform(*type, uniform, numbers);
-        } else if (!hasInitialValue(text, uniform.name)) {
+        else if (host.contains(uniform.name))
+            fromHost.push_back({uniform, type});
+        else if (!hasInitialValue(text, uniform.name))
             fail(ExitCode::badInput, {shader.string()}, "nothing feeds the uniform " + uniform.name,
                  fmt::format("give --set {}=VALUE, or a value in its declaration", uniform.name));
-        }
+    }
+    return fromHost;
+}
+
+void feedFrame(const std::vector<HostUniform>& uniforms, const HostNumbers& host,
+               const std::filesystem::path& shader)
+{
+    for (const auto& [uniform, type] : uniforms) {
+        auto numbers = host.at(uniform.name);
+        numbers.resize(numbersOf(*type, uniform), 0.0);
+        for (const double number : numbers)
+            if (!fits(*type, number))
+                fail(ExitCode::badInput, {shader.string()},
+                     fmt::format("the uniform {} is of type {}, and {} is none", uniform.name, type->name,
+                                 number),
+                     "declare it as a float, or as a vector of floats");
+        setUniform(*type, uniform, numbers);
     }
 }
 

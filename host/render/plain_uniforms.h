@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/program.h"
+#include "gl/uniform.h"
 #include "render/plain_text.h"
 
 #include <glm/glm.hpp>
@@ -33,14 +34,26 @@ struct PlainFrame {
 using PlainValues = std::map<std::string, std::string>;
 
 // A uniform's numbers by name: as many as its type wants, or more, or fewer (then the rest is 0).
-std::map<std::string, std::vector<double>> hostUniforms(const PlainFrame& frame, int width, int height,
-                                                        const std::array<glm::ivec2, 4>& channelSizes_px);
+using HostNumbers = std::map<std::string, std::vector<double>>;
 
-// Sets every active uniform of the program, which must be current: samplers, named iChannel0 to 3, to the
-// units 0 to 3. Throws badInput for a uniform that nothing feeds (`text` tells whether it has an initial
-// value of its own), usage for a value that does not fit its type and for one of `values` that the shader
-// does not read.
-void feed(const Program& program, const std::map<std::string, std::vector<double>>& host,
-          const PlainValues& values, const std::filesystem::path& shader, const SourceText& text);
+HostNumbers hostUniforms(const PlainFrame& frame, int width, int height,
+                         const std::array<glm::ivec2, 4>& channelSizes_px);
+
+// One that a program reads and the host feeds for each frame.
+struct HostUniform {
+    ActiveUniform uniform;
+    const UniformType* type;
+};
+
+// Sets what stays the same for all frames of the program, which must be current: samplers, named iChannel0 to
+// 3, to the units 0 to 3, and `values`. Gives the others, which `host` has names for. Throws badInput for a
+// uniform that nothing feeds (`text` tells whether it has an initial value of its own), usage for a value
+// that does not fit its type and for one of `values` that the shader does not read.
+std::vector<HostUniform> feedOnce(const Program& program, const HostNumbers& host, const PlainValues& values,
+                                  const std::filesystem::path& shader, const SourceText& text);
+
+// Sets them, of the program that is current. Throws badInput where a number is none of its uniform's type.
+void feedFrame(const std::vector<HostUniform>& uniforms, const HostNumbers& host,
+               const std::filesystem::path& shader);
 
 } // namespace dioptre

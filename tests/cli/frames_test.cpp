@@ -161,7 +161,8 @@ TEST_F(FramesCommand, Resume_DrawsAnewWhatAnySettingChanges)
     EXPECT_EQ(figuresOf(command + "--spp 1")["kept"], 2);
     for (const std::string change :
          {"--spp 2", "--spp 1 --fps 24", "--spp 1 --time 1", "--spp 1 --set ball.radius=0.5",
-          "--spp 1 --budget 3", "--spp 1 --view normal", "--spp 1 --reference"}) {
+          "--spp 1 --budget 3", "--spp 1 --view normal", "--spp 1 --reference", "--spp 1 --exposure 0",
+          "--spp 1 --curve filmic"}) {
         const auto figures = figuresOf(command + change);
         // Frame 0 is at the same time at any rate.
         EXPECT_EQ(figures["drawn"], change == "--spp 1 --fps 24" ? 1 : 2) << change;
@@ -246,6 +247,7 @@ TEST_F(FramesCommand, WhatMakesNoSense_IsRefusedByItsName)
         {"--frames 0:9 --why -o t.png", "--why"},
         {"--frames 0:9 --shader a.frag -o t.png", "--shader"},
         {"--frames 0:9 --resume -o t.mp4", "--resume"},
+        {"--frames 0:9 --resume -o t.hdr", "FILE.exr"},
         {"--frames 0:9 -o t##.mp4", "#"},
         {"--fps 9 -o t.png", "--frames"},
         {"--resume -o t.png", "--frames"},

@@ -44,7 +44,7 @@ public:
         std::filesystem::create_directories(folder_);
         for (const auto& picture : answer.pictures) {
             const auto file = folder_ / (picture.key + ".png");
-            writePng(file, pictureOf(picture), true, {});
+            writePng(file, pictureOf(picture), {}, {});
             overrides_.push_back(picture.key + "=" + file.string());
         }
     }

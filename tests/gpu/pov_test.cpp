@@ -117,7 +117,7 @@ void furnish(const std::filesystem::path& folder)
     for (const char* picture : {"floor.png", "wave.png", "planet.png", "sky.exr"})
         std::filesystem::copy(sources / "textures" / picture, folder);
     writeExr(folder / "panorama.exr", paintedSky(), ExrDepth::half, {});
-    writePng(folder / "panorama.png", paintedSky(), true, {});
+    writePng(folder / "panorama.png", paintedSky(), {}, {});
 }
 
 // POV-Ray's picture. No antialiasing, so no jitter; no display, no text but of errors.

@@ -177,6 +177,6 @@ TEST_P(Probe, Clocks_BothTellATime)
 {
     const Clocks clocks = probeClocks(glslFolder());
     EXPECT_GT(clocks.finish_ms, 0.0);
-    EXPECT_LT(clocks.timerQuery_ms, 1.0e6) << "a query that was never read holds anything";
+    EXPECT_GT(clocks.timerQuery_ms, 0.0) << "the query was not read";
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }

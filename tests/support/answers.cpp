@@ -197,7 +197,7 @@ std::string failureAt(const Expectation& expectation, const Picture& picture, in
 Picture throughPng(const Picture& picture)
 {
     const auto file = std::filesystem::temp_directory_path() / fmt::format("dioptre-answer-{}.png", getpid());
-    writePng(file, picture, true, {});
+    writePng(file, picture, {}, {});
     const Picture bytes = readPicture(file);
     std::filesystem::remove(file);
     return bytes;

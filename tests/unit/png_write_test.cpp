@@ -13,16 +13,16 @@ TEST_F(PictureFile, WritePng_EncodesAndFlips)
 {
     const Picture source = floatPicture(1, 2, {0.0f, 0.5f, 1.0f, 0.3f, -1.0f, 2.0f, std::nanf(""), 1.0f});
     const std::filesystem::path path = folder_ / "a.png";
-    writePng(path, source, true, {});
+    writePng(path, source, {}, {});
     EXPECT_EQ(readPicture(path).bytes, (std::vector<std::uint8_t>{0, 188, 255, 255, 0, 255, 0, 255}));
-    writePng(path, source, false, {});
+    writePng(path, source, {.encode = false}, {});
     EXPECT_EQ(readPicture(path).bytes, (std::vector<std::uint8_t>{0, 128, 255, 255, 0, 255, 0, 255}));
 }
 
 TEST_F(PictureFile, WritePng_BytesPassUnchanged)
 {
     const Picture source{2, 1, PixelFormat::srgb8, {1, 2, 3, 255, 4, 5, 6, 255}, {}};
-    writePng(folder_ / "a.png", source, true, {});
+    writePng(folder_ / "a.png", source, {}, {});
     EXPECT_EQ(readPicture(folder_ / "a.png").bytes, source.bytes);
 }
 
@@ -30,7 +30,7 @@ TEST_F(PictureFile, WritePng_SettingsStandInTextChunks)
 {
     const std::string umlaut = "gr\xc3\xbc"
                                "n";
-    writePng(folder_ / "a.png", floatPicture(1, 1, {0, 0, 0, 1}), true,
+    writePng(folder_ / "a.png", floatPicture(1, 1, {0, 0, 0, 1}), {},
              {{"empty", ""}, {"samples", "16"}, {"scene", umlaut}});
     const std::string bytes = readFile(folder_ / "a.png");
     EXPECT_NE(bytes.find(std::string("tEXtsamples\0"
@@ -91,7 +91,7 @@ TEST_F(PictureFile, WritePng_Of720p_IsFast)
     double best_ms = 1e9;
     for (int run = 0; run < 3; ++run) {
         const auto start = std::chrono::steady_clock::now();
-        writePng(folder_ / "a.png", picture, true, {});
+        writePng(folder_ / "a.png", picture, {}, {});
         const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
         best_ms = std::min(best_ms, elapsed.count());
     }
@@ -103,7 +103,7 @@ TEST_F(PictureFile, WritePng_Of720p_IsFast)
 TEST_F(PictureFile, WritePng_WithoutItsFolder_IsCannotWrite)
 {
     try {
-        writePng(folder_ / "absent" / "a.png", floatPicture(1, 1, {0, 0, 0, 1}), true, {});
+        writePng(folder_ / "absent" / "a.png", floatPicture(1, 1, {0, 0, 0, 1}), {}, {});
         ADD_FAILURE();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::cannotWrite);

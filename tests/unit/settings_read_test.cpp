@@ -18,7 +18,7 @@ const Settings settings = {{"dioptre.time", "0.25"}, {"dioptre.set", "title=Sch\
 
 TEST_F(SettingsInAFile, OfAPng_AreReadBack)
 {
-    writePng(folder_ / "a.png", floatPicture(1, 1, {0, 0, 0, 1}), true, settings);
+    writePng(folder_ / "a.png", floatPicture(1, 1, {0, 0, 0, 1}), {}, settings);
     EXPECT_EQ(readSettings(folder_ / "a.png"), settings);
 }
 
