@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <pwd.h>
 #include <sched.h>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -29,6 +31,29 @@ std::vector<std::string> threadNames()
     for (const auto& task : std::filesystem::directory_iterator("/proc/self/task"))
         names.push_back(readFile(task.path() / "comm"));
     return names;
+}
+
+std::ptrdiff_t threadsCalled(const char* part)
+{
+    const auto names = threadNames();
+    return std::ranges::count_if(
+        names, [part](const std::string& name) { return name.find(part) != std::string::npos; });
+}
+
+// A thread names itself once it runs, and that of Mesa's cache runs at the lowest priority: on a busy machine
+// it takes a while.
+bool cacheThreadAppears(const ContextInfo& context)
+{
+    using namespace std::chrono_literals;
+    const bool expected = context.version.find("Mesa") != std::string::npos &&
+                          variable("MESA_SHADER_CACHE_DISABLE").empty() &&
+                          variable("MESA_GLSL_CACHE_DISABLE").empty();
+    for (int tries = 0; threadsCalled("disk$") == 0; ++tries) {
+        if (!expected || tries == 100)
+            return false;
+        std::this_thread::sleep_for(20ms);
+    }
+    return true;
 }
 
 // The folder below which Mesa keeps its cache (src/util/disk_cache_os.c): the home is that of the user
@@ -85,15 +110,9 @@ int coresAllowed()
 
 DriverEnvironment driverEnvironment(const ContextInfo& context)
 {
-    const std::vector<std::string> threads = threadNames();
-    const auto has = [&threads](const char* part) {
-        return std::count_if(threads.begin(), threads.end(), [part](const std::string& name) {
-            return name.find(part) != std::string::npos;
-        });
-    };
     DriverEnvironment environment;
-    findCache(environment, context, has("disk$") > 0);
-    environment.rasterThreads = static_cast<int>(has("llvmpipe-"));
+    findCache(environment, context, cacheThreadAppears(context));
+    environment.rasterThreads = static_cast<int>(threadsCalled("llvmpipe-"));
     environment.threadsAsked = variable("LP_NUM_THREADS");
     environment.cores = coresAllowed();
     return environment;
