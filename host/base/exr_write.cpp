@@ -1,18 +1,10 @@
-#include "base/error.h"
-#include "base/picture.h"
-#include "base/write_file.h"
+#include "base/exr_encoder.h"
+#include "base/picture_writer.h"
 
-#include <ImfChannelList.h>
-#include <ImfCompression.h>
-#include <ImfFrameBuffer.h>
-#include <ImfHeader.h>
-#include <ImfOutputFile.h>
-#include <ImfStdIO.h>
-#include <ImfStringAttribute.h>
+#include <half.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <exception>
 
 namespace dioptre
 {
@@ -52,59 +44,80 @@ std::vector<float> topDown(const ExrLayer& layer, std::size_t width)
     return numbers;
 }
 
-// Numbers that stand `stride` apart as a channel of the file.
+// Numbers that stand `stride` apart as a channel of the rows in `window`.
 template <typename Number>
-void insertChannel(Imf::Header& header, Imf::FrameBuffer& frame, const std::string& name, Imf::PixelType type,
-                   const Number* first, std::size_t stride)
+Imf::Slice sliceOf(Imf::PixelType type, const Number* first, const Imath::Box2i& window, std::size_t stride)
 {
-    header.channels().insert(name, Imf::Channel(type));
-    frame.insert(name, Imf::Slice::Make(type, first, header.dataWindow(), stride * sizeof(Number),
-                                        stride * sizeof(Number) *
-                                            static_cast<std::size_t>(header.dataWindow().max.x + 1)));
+    const auto width = static_cast<std::size_t>(window.max.x - window.min.x + 1);
+    return Imf::Slice::Make(type, first, window, stride * sizeof(Number), stride * sizeof(Number) * width);
+}
+
+ExrHead headOf(int width, int height, Imf::PixelType type, const std::vector<std::string>& layerChannels)
+{
+    ExrHead head{width, height, {{"R", type}, {"G", type}, {"B", type}}};
+    for (const auto& channel : layerChannels)
+        head.channels[channel] = Imf::FLOAT;
+    return head;
 }
 
 template <typename Number>
-std::string encode(const Picture& picture, Imf::PixelType type, const Settings& settings,
-                   const std::vector<ExrLayer>& layers)
+class ExrWriter : public PictureWriter
 {
-    Imf::Header header(picture.width, picture.height);
-    header.compression() = Imf::ZIP_COMPRESSION;
-    for (const auto& [key, value] : settings)
-        header.insert(key, Imf::StringAttribute(value));
-    const std::vector<Number> numbers = topDownRgb<Number>(picture);
-    Imf::FrameBuffer frame;
-    std::size_t slot = 0;
-    for (const char* name : {"R", "G", "B"})
-        insertChannel(header, frame, name, type, numbers.data() + slot++, 3);
-    std::vector<std::vector<float>> planes;
-    for (const ExrLayer& layer : layers) {
-        planes.push_back(topDown(layer, static_cast<std::size_t>(picture.width)));
-        insertChannel(header, frame, layer.channel, Imf::FLOAT, planes.back().data(), 1);
-    }
-    Imf::StdOSStream stream;
+public:
+    ExrWriter(const std::filesystem::path& path, int width, int height, const Settings& settings,
+              const std::vector<std::string>& layerChannels)
+        : encoder_(path, headOf(width, height, type, layerChannels), settings)
     {
-        Imf::OutputFile file(stream, header); // its destructor writes the table of lines
-        file.setFrameBuffer(frame);
-        file.writePixels(picture.height);
     }
-    return stream.str();
-}
+
+    void add(const Picture& band, const std::vector<ExrLayer>& layers) override
+    {
+        const std::vector<Number> numbers = topDownRgb<Number>(band);
+        std::vector<std::vector<float>> planes;
+        for (const ExrLayer& layer : layers)
+            planes.push_back(topDown(layer, static_cast<std::size_t>(band.width)));
+        encoder_.add(band.height, [&](const Imath::Box2i& window) {
+            Imf::FrameBuffer frame;
+            std::size_t slot = 0;
+            for (const char* name : {"R", "G", "B"})
+                frame.insert(name, sliceOf(type, numbers.data() + slot++, window, 3));
+            for (std::size_t i = 0; i < layers.size(); ++i)
+                frame.insert(layers[i].channel, sliceOf(Imf::FLOAT, planes[i].data(), window, 1));
+            return frame;
+        });
+    }
+
+    void finish() override
+    {
+        encoder_.finish();
+    }
+
+private:
+    static constexpr Imf::PixelType type = std::is_same_v<Number, Imath::half> ? Imf::HALF : Imf::FLOAT;
+
+    ExrEncoder encoder_;
+};
 
 } // namespace
 
-// Encoded in memory first, so that a full disk is noticed by writeFile: OpenEXR's destructor would keep
-// silent about it.
+std::unique_ptr<PictureWriter> openExr(const std::filesystem::path& path, int width, int height,
+                                       ExrDepth depth, const Settings& settings,
+                                       const std::vector<std::string>& layerChannels)
+{
+    if (depth == ExrDepth::half)
+        return std::make_unique<ExrWriter<Imath::half>>(path, width, height, settings, layerChannels);
+    return std::make_unique<ExrWriter<float>>(path, width, height, settings, layerChannels);
+}
+
 void writeExr(const std::filesystem::path& path, const Picture& picture, ExrDepth depth,
               const Settings& settings, const std::vector<ExrLayer>& layers)
 {
-    std::string bytes;
-    try {
-        bytes = depth == ExrDepth::half ? encode<Imath::half>(picture, Imf::HALF, settings, layers)
-                                        : encode<float>(picture, Imf::FLOAT, settings, layers);
-    } catch (const std::exception& fault) {
-        fail(ExitCode::cannotWrite, {path.string()}, fault.what(), "write a PNG in its place");
-    }
-    writeFile(path, bytes);
+    std::vector<std::string> channels;
+    for (const ExrLayer& layer : layers)
+        channels.push_back(layer.channel);
+    const auto writer = openExr(path, picture.width, picture.height, depth, settings, channels);
+    writer->add(picture, layers);
+    writer->finish();
 }
 
 } // namespace dioptre

@@ -1,7 +1,8 @@
+#include "base/checked_file.h"
 #include "base/error.h"
-#include "base/picture.h"
-#include "base/write_file.h"
+#include "base/picture_writer.h"
 
+#include <fmt/format.h>
 #include <stb_image_write.h>
 
 #include <algorithm>
@@ -50,25 +51,83 @@ std::string headerLines(const Settings& settings)
     return lines;
 }
 
-} // namespace
-
-void writeRadiance(const std::filesystem::path& path, const Picture& picture, const Settings& settings)
+// Rows [first, end) of a band, from the upper to the lower, as a whole file of stb's.
+std::string encodeRows(const Picture& band, std::size_t first, std::size_t end)
 {
-    const auto width = static_cast<std::size_t>(picture.width),
-               height = static_cast<std::size_t>(picture.height);
+    const auto width = static_cast<std::size_t>(band.width);
     std::vector<float> numbers;
-    numbers.reserve(3 * width * height);
-    for (std::size_t row = height; row-- > 0;)
+    numbers.reserve(3 * width * (end - first));
+    for (std::size_t row = end; row-- > first;)
         for (std::size_t x = 0; x < width; ++x) {
-            const auto rgbe = nearestRgbe(&picture.floats[4 * (row * width + x)]);
+            const auto rgbe = nearestRgbe(&band.floats[4 * (row * width + x)]);
             numbers.insert(numbers.end(), rgbe.begin(), rgbe.end());
         }
     std::string bytes;
-    if (stbi_write_hdr_to_func(append, &bytes, picture.width, picture.height, 3, numbers.data()) == 0)
-        fail(ExitCode::cannotWrite, {path.string()}, "Radiance: the picture is empty",
-             "choose another format");
-    bytes.insert(bytes.find('\n') + 1, headerLines(settings)); // after the first line, which names the format
-    writeFile(path, bytes);
+    stbi_write_hdr_to_func(append, &bytes, band.width, static_cast<int>(end - first), 3, numbers.data());
+    return bytes;
+}
+
+// stb writes whole pictures. Here each few rows are one, of which all but the first lose their head, and the
+// first's gets the size of the whole and the settings.
+class RadianceWriter : public PictureWriter
+{
+public:
+    RadianceWriter(const std::filesystem::path& path, int width, int height, const Settings& settings)
+        : file_(path), sizeLine_(fmt::format("-Y {} +X {}\n", height, width)), lines_(headerLines(settings))
+    {
+        if (width < 1 || height < 1)
+            fail(ExitCode::cannotWrite, {path.string()}, "Radiance: the picture is empty",
+                 "choose another format");
+    }
+
+    void add(const Picture& band, const std::vector<ExrLayer>&) override
+    {
+        constexpr std::size_t rowsAtOnce = 64;
+        for (auto end = static_cast<std::size_t>(band.height); end > 0;) {
+            const std::size_t first = end - std::min(end, rowsAtOnce);
+            write(encodeRows(band, first, end));
+            end = first;
+        }
+        file_.check();
+    }
+
+    void finish() override
+    {
+        file_.finish();
+    }
+
+private:
+    void write(std::string picture)
+    {
+        const std::size_t endOfText = picture.find("\n\n") + 2, rows = picture.find('\n', endOfText) + 1;
+        if (!hasHead_) {
+            std::string head = picture.substr(0, endOfText) + sizeLine_;
+            head.insert(head.find('\n') + 1, lines_); // after the first line, which names the format
+            file_.write(head.data(), head.size());
+            hasHead_ = true;
+        }
+        file_.write(picture.data() + rows, picture.size() - rows);
+    }
+
+    CheckedFile file_;
+    std::string sizeLine_;
+    std::string lines_;
+    bool hasHead_ = false;
+};
+
+} // namespace
+
+std::unique_ptr<PictureWriter> openRadiance(const std::filesystem::path& path, int width, int height,
+                                            const Settings& settings)
+{
+    return std::make_unique<RadianceWriter>(path, width, height, settings);
+}
+
+void writeRadiance(const std::filesystem::path& path, const Picture& picture, const Settings& settings)
+{
+    RadianceWriter writer(path, picture.width, picture.height, settings);
+    writer.add(picture, {});
+    writer.finish();
 }
 
 } // namespace dioptre
