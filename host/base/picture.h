@@ -28,6 +28,13 @@ struct Picture {
     std::vector<float> floats;       // 4 * width * height, for float32
 };
 
+// float32, all numbers 0.
+inline Picture blankFloats(int width, int height)
+{
+    const auto texels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    return {width, height, PixelFormat::float32, {}, std::vector<float>(4 * texels)};
+}
+
 enum class Encoding { automatic, srgb, linear };
 
 // Reads PNG, JPEG, Radiance HDR or EXR, told by content and not by name. Colour pictures of 8 bits are srgb8

@@ -34,15 +34,12 @@ Rounds roundsOf(const BenchOptions& options, std::size_t inputs)
 // Of the frame that was drawn last, 0 for a plain shader, of which nobody knows; it is checked on the way.
 double raysPerPixel(const BenchDrawing& drawn, const std::string& name)
 {
-    Still still;
-    still.picture = drawn.drawing->read();
-    if (drawn.prepared)
-        finish(still, 1.0F, 1.0);
-    else
-        still.nonfinite = countNonfinite(still.picture);
-    if (still.nonfinite > 0)
-        fmt::print(stderr, "dioptre: {}: {} pixels are not finite\n", name, still.nonfinite);
-    return still.raysPerSample;
+    Picture picture = drawn.drawing->read();
+    const auto pixels = static_cast<double>(picture.floats.size()) / 4.0;
+    const PixelCounts counts = drawn.drawing->finish(picture);
+    if (counts.nonfinite > 0)
+        fmt::print(stderr, "dioptre: {}: {} pixels are not finite\n", name, counts.nonfinite);
+    return counts.rays / pixels;
 }
 
 // All inputs in one context; rows and inputs correspond.

@@ -75,7 +75,7 @@ BenchDrawing drawingOf(const BenchInput& input, const ViewSettings& view, const 
     if (input.plainShader) {
         PlainSettings plain;
         plain.values = plainValues(input.overrides);
-        made.drawing = std::make_unique<PlainRenderer>(input.file, view, plain);
+        made.drawing = std::make_unique<PlainRenderer>(input.file, view, plain, context);
     } else {
         made.prepared = std::make_unique<PreparedScene>(prepare(sceneOf(input), view));
         made.drawing = std::make_unique<Renderer>(*made.prepared, view, context);

@@ -38,10 +38,12 @@ struct RenderOptions {
     bool why = false;
     std::string shader; // file for the assembled shader; "" for none
     bool json = false;
-    std::string frames;       // A:B or A:B:S; "" for a still
-    double fps = 25.0;        // frames a second, of --frames
-    bool resume = false;      // keep the frames that are there already
-    std::string settingsHash; // written into a frame's file; "" in a still's
+    std::string tile;          // I/N: that part of the picture alone; "" for all of it
+    double drawLimit_s = 30.0; // that a single draw may take
+    std::string frames;        // A:B or A:B:S; "" for a still
+    double fps = 25.0;         // frames a second, of --frames
+    bool resume = false;       // keep the frames that are there already
+    std::string settingsHash;  // written into a frame's file; "" in a still's
 };
 ExitCode render(const RenderOptions& options);
 

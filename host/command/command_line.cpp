@@ -72,6 +72,20 @@ void addOutput(CLI::App& command, RenderOptions& options)
         ->allow_extra_args(false);
 }
 
+// How the picture is drawn in parts.
+void addParts(CLI::App& command, RenderOptions& options)
+{
+    command
+        .add_option("--tile", options.tile,
+                    "draw the I-th of N parts of the picture, from the top; dioptre join puts them together")
+        ->type_name("I/N");
+    command
+        .add_option("--draw-limit", options.drawLimit_s,
+                    "seconds that a draw of a few pixels may take before the shader counts as endless")
+        ->type_name("S")
+        ->capture_default_str();
+}
+
 void addFrames(CLI::App& command, RenderOptions& options)
 {
     auto* frames = command.add_option("--frames", options.frames,
@@ -85,6 +99,19 @@ void addFrames(CLI::App& command, RenderOptions& options)
         .add_flag("--resume", options.resume,
                   "keep the pictures that are there whole and were drawn with the same settings")
         ->needs(frames);
+}
+
+// What plain shaders are fed.
+void addPlain(CLI::App& command, RenderOptions& options)
+{
+    for (std::size_t i = 0; i < options.channels.size(); ++i)
+        command
+            .add_option(fmt::format("--channel{}", i), options.channels[i],
+                        fmt::format("iChannel{} of a plain shader: a picture, or a cube's six", i))
+            ->type_name("FILE");
+    command
+        .add_option("--mouse", options.mouse, "the pointer of a plain shader, in pixels from the lower left")
+        ->type_name("X,Y[,down]");
 }
 
 void addRender(CLI::App& app, RenderOptions& options, std::string& size)
@@ -115,14 +142,7 @@ void addRender(CLI::App& app, RenderOptions& options, std::string& size)
                      "be repeated")
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false);
-    for (std::size_t i = 0; i < options.channels.size(); ++i)
-        command
-            ->add_option(fmt::format("--channel{}", i), options.channels[i],
-                         fmt::format("iChannel{} of a plain shader: a picture, or a cube's six", i))
-            ->type_name("FILE");
-    command
-        ->add_option("--mouse", options.mouse, "the pointer of a plain shader, in pixels from the lower left")
-        ->type_name("X,Y[,down]");
+    addPlain(*command, options);
     command->add_option("--backend", options.backend, "where to draw")
         ->check(CLI::IsMember(backendNames()))
         ->capture_default_str();
@@ -130,6 +150,7 @@ void addRender(CLI::App& app, RenderOptions& options, std::string& size)
         ->check(CLI::IsMember(dataViewNames()))
         ->type_name("VIEW");
     addOutput(*command, options);
+    addParts(*command, options);
     addFrames(*command, options);
     command->add_flag("--reference", options.reference,
                       "trace in double precision on the CPU, without OpenGL");

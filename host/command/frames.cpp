@@ -3,14 +3,13 @@
 #include "base/clock.h"
 #include "base/file.h"
 #include "base/interruption.h"
-#include "base/text.h"
-#include "command/frame_drawer.h"
+#include "command/draw_picture.h"
 #include "command/frame_range.h"
 #include "command/frames_report.h"
 #include "command/progress.h"
 #include "command/render_steps.h"
+#include "command/settings_hash.h"
 #include "command/video.h"
-#include "command/write_still.h"
 
 #include <fmt/format.h>
 
@@ -37,10 +36,6 @@ void refuseBadFrames(const RenderOptions& options, const FrameRange& range)
     if (options.why || !options.shader.empty())
         fail(ExitCode::usage, "--why and --shader speak of one picture",
              "ask without --frames: the shader is the same at every time");
-    if (options.resume && std::filesystem::path(options.output).extension() == ".hdr")
-        fail(ExitCode::usage,
-             "--resume knows whole frames by their text, and " + options.output + " keeps none",
-             "leave it out, or write -o FILE.exr");
     if (!isVideo(options.output))
         return;
     if (options.resume)
@@ -67,7 +62,7 @@ std::vector<Frame> framesOf(const RenderOptions& options, const FrameRange& rang
 }
 
 // The options of a still that is this frame.
-RenderOptions optionsOf(const RenderOptions& options, const Frame& frame, const FrameDrawer& drawer,
+RenderOptions optionsOf(const RenderOptions& options, const Frame& frame, const PictureDrawer& drawer,
                         unsigned long long sources)
 {
     RenderOptions still = options;
@@ -75,14 +70,7 @@ RenderOptions optionsOf(const RenderOptions& options, const Frame& frame, const 
     if (frame.output.empty())
         return still;
     still.output = frame.output;
-    std::string all =
-        fmt::format("{:016x}\nhalf {}\nview {}\nbits {}\nexposure {}\ncurve {}\ngamma {}\nmouse {}\n",
-                    sources, options.half, options.view, options.bits,
-                    options.exposure ? fmt::format("{}", *options.exposure) : "the scene's", options.curve,
-                    options.gamma, options.mouse);
-    for (const auto& [key, value] : settingsOf(still, drawer.context()))
-        all += key + " " + value + "\n";
-    still.settingsHash = fmt::format("{:016x}", fingerprint(all));
+    still.settingsHash = settingsHash(still, drawer.context(), sources);
     return still;
 }
 
@@ -100,13 +88,6 @@ bool isThere(const RenderOptions& still)
     }
 }
 
-std::optional<ShownView> shownBy(const FrameDrawer& drawer, const Still& still, const RenderOptions& options)
-{
-    if (options.view.empty())
-        return std::nullopt;
-    return shownView(still.picture, *drawer.prepared());
-}
-
 // As ffmpeg takes it: with steps left out, frames follow one another more slowly and the video runs true.
 std::string rateOf(const RenderOptions& options, const FrameRange& range)
 {
@@ -114,39 +95,29 @@ std::string rateOf(const RenderOptions& options, const FrameRange& range)
 }
 
 // Draws what is not there yet. Throws retry where a signal asks it to stop.
-void drawFrames(FramesReport& report, const RenderOptions& options, FrameDrawer& drawer, Video* video)
+void drawFrames(FramesReport& report, const RenderOptions& options, PictureDrawer& drawer, Video* video)
 {
-    const unsigned long long sources = drawer.sourcesFingerprint();
+    const unsigned long long sources = video != nullptr ? 0 : drawer.sourcesFingerprint();
     if (options.resume)
         for (auto& frame : report.frames)
             frame.kept = isThere(optionsOf(options, frame, drawer, sources));
     const auto missing = std::ranges::count(report.frames, false, &Frame::kept);
     const auto tell = terminalProgressOfFrames(static_cast<std::size_t>(missing));
     const auto progress = [&](double share) {
-        Interruption::check();
         if (tell)
             tell(static_cast<double>(report.drawn) + share);
     };
     for (auto& frame : report.frames) {
         if (frame.kept)
             continue;
-        Interruption::check();
-        Still still = drawer.draw(frame.time_s, progress);
         Stopwatch watch;
-        const auto shown = shownBy(drawer, still, options);
+        drawer.moveTo(frame.time_s);
+        const double load_ms = watch.lap_ms();
         const RenderOptions own = optionsOf(options, frame, drawer, sources);
-        std::optional<Display> display; // none for a plain shader
-        if (drawer.prepared() != nullptr)
-            display = displayOf(options, drawer.prepared()->scene.output);
-        const std::vector<ExrLayer> noLayers;
-        const StillContent content{still, drawer.context(), display ? &*display : nullptr,
-                                   shown ? &*shown : nullptr, noLayers};
-        if (video != nullptr)
-            video->add(displayedBytes(content));
-        else
-            writeStill(own, content);
-        still.phases.write = watch.lap_ms();
-        frame.figures = {still.phases, still.raysPerSample * options.samples, still.nonfinite};
+        const PictureFigures figures =
+            drawPicture(drawer, own, video, tell ? Progress(progress) : Progress());
+        frame.figures = {figures.phases, figures.raysPerPixel(), figures.counts.nonfinite};
+        frame.figures.phases.load += load_ms;
         ++report.drawn;
         progress(0.0);
     }
@@ -161,7 +132,7 @@ void drawAll(FramesReport& report, const RenderOptions& options, const Input& in
     else
         // What cannot be written, or is neither kind of picture, is refused before anything is drawn.
         PendingFile{report.frames.front().output};
-    FrameDrawer drawer(options, input, report.frames.front().time_s);
+    PictureDrawer drawer(options, input, report.frames.front().time_s, rowsAtOnce(options));
     report.context = drawer.context();
     report.made = drawer.made();
     drawFrames(report, options, drawer, video.get());
@@ -181,17 +152,7 @@ ExitCode renderFrames(const RenderOptions& options, const Input& input)
     refuseBadFrames(options, range);
     FramesReport report;
     report.frames = framesOf(options, range);
-    int signal = 0;
-    {
-        const Interruption interruption;
-        try {
-            drawAll(report, options, input, range);
-        } catch (const Error&) {
-            signal = Interruption::signal();
-            if (signal == 0)
-                throw;
-        }
-    }
+    const int signal = signalDuring([&] { drawAll(report, options, input, range); });
     if (signal != 0) {
         fmt::print(stderr, "dioptre: stopped by a signal after {} frames{}\n", report.drawn,
                    isVideo(options.output) ? "; a part of a video is not kept"

@@ -1,6 +1,7 @@
 #include "command/frames_report.h"
 
 #include "command/json_text.h"
+#include "command/report.h"
 #include "command/video.h"
 
 #include <fmt/format.h>
@@ -37,14 +38,8 @@ Phases sumOf(const FramesReport& report)
 {
     Phases sum = report.made;
     sum.write += report.finish_ms;
-    for (const auto& frame : report.frames) {
-        const Phases& phases = frame.figures.phases;
-        sum.load += phases.load;
-        sum.compile += phases.compile;
-        sum.draw += phases.draw;
-        sum.read += phases.read;
-        sum.write += phases.write;
-    }
+    for (const auto& frame : report.frames)
+        sum = together(sum, frame.figures.phases);
     return sum;
 }
 

@@ -1,40 +1,37 @@
 #include "base/clock.h"
 #include "base/file.h"
+#include "base/interruption.h"
 #include "base/text.h"
 #include "base/write_file.h"
 #include "command/command.h"
+#include "command/draw_picture.h"
 #include "command/frames.h"
-#include "command/input.h"
-#include "command/plain_options.h"
 #include "command/progress.h"
 #include "command/render_steps.h"
 #include "command/report.h"
-#include "command/write_still.h"
-#include "kernel/reference.h"
-#include "render/layers.h"
-#include "render/still.h"
-#include "render/view_picture.h"
-#include "scene/load.h"
+#include "command/settings_hash.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <future>
 #include <limits>
 
 namespace dioptre
 {
-namespace
-{
-
-} // namespace
 
 void refuseBadOptions(const RenderOptions& options, const Input& input)
 {
     if (!(std::abs(options.time_s) <= static_cast<double>(std::numeric_limits<float>::max())))
         fail(ExitCode::usage, fmt::format("--time {} is no moment", options.time_s),
              "give a number of seconds that a 32-bit float can hold");
+    if (!(options.drawLimit_s > 0.0 && std::isfinite(options.drawLimit_s)))
+        fail(ExitCode::usage, fmt::format("--draw-limit {} is no time", options.drawLimit_s),
+             "give a number of seconds above 0");
+    if (!options.tile.empty() && !options.frames.empty())
+        fail(ExitCode::usage, "--tile parts one picture, and --frames asks for several",
+             "leave one of them out: machines can share the frames");
     refuseBadOutput(options, input.plainShader);
     if (input.plainShader && (options.reference || options.budget > 0 || !options.view.empty()))
         fail(ExitCode::usage,
@@ -56,116 +53,101 @@ void refuseBadOptions(const RenderOptions& options, const Input& input)
              "leave one of them out");
 }
 
-namespace
+int signalDuring(const std::function<void()>& work)
 {
-
-void refuseEditedShader(const std::filesystem::path& glsl)
-{
-    if (shaderFingerprint(glsl) != compiledShaderFingerprint())
-        fail(ExitCode::badInput, glsl.string() + " was edited after the reference was compiled from it",
-             "build again: the reference speaks only for the sources that it was made from");
-}
-
-} // namespace
-
-Still renderReferenceStill(const PreparedScene& prepared, const StillSettings& settings)
-{
-    refuseEditedShader(settings.glslFolder);
-    Still still;
-    Stopwatch watch;
-    still.picture = renderReference(prepared.packed, settings.width, settings.height, settings.samples);
-    finish(still, 1.0F, 1.0);
-    still.phases.draw = watch.lap_ms();
-    return still;
-}
-
-StillSettings stillSettingsOf(const RenderOptions& options)
-{
-    return {{options.width, options.height, options.samples, glslFolder(), pictureCache(),
-             dataViewNamed(options.view)},
-            {}};
-}
-
-namespace
-{
-
-struct Rendering {
-    Still still;
-    ContextInfo context;
-    std::optional<PreparedScene> prepared; // none for a plain shader
-    std::vector<ExrLayer> layers;
-};
-
-Rendering renderInput(const RenderOptions& options, const Input& input)
-{
-    StillSettings settings = stillSettingsOf(options);
-    settings.progress = terminalProgress();
-    Rendering rendering;
-    Stopwatch watch;
-    std::future<PreparedScene> preparing; // beside the making of the context
-    if (!input.plainShader)
-        preparing =
-            std::async(std::launch::async, [scene = loadScene(input.path, options.overrides, options.time_s),
-                                            &settings] { return prepare(scene, settings); });
-    double load_ms = watch.lap_ms();
-    std::unique_ptr<Context> context;
-    const PlainSettings plain = input.plainShader ? plainSettings(options) : PlainSettings{};
-    if (input.plainShader)
-        startVariablesAtZero();
-    if (!options.reference)
-        context = makeContext(options.backend);
-    const double context_ms = watch.lap_ms();
-    if (preparing.valid())
-        rendering.prepared = preparing.get();
-    load_ms += watch.lap_ms(); // what the making of the context did not hide
-    if (options.reference) {
-        rendering.context = {"reference", "double precision on the CPU", "", true};
-        rendering.still = renderReferenceStill(*rendering.prepared, settings);
-    } else {
-        rendering.context = context->info();
-        rendering.still = rendering.prepared ? renderScene(*rendering.prepared, settings, context->info())
-                                             : renderPlain(input.path, settings, plain);
-        if (!options.layers.empty())
-            rendering.layers =
-                drawLayers(rendering.prepared->scene, layersNamed(options.layers), settings, context->info());
-        rendering.still.phases.context = context_ms;
+    const Interruption interruption;
+    try {
+        work();
+    } catch (const Error&) {
+        if (Interruption::signal() == 0)
+            throw;
+        return Interruption::signal();
     }
-    rendering.still.phases.load += load_ms;
-    return rendering;
+    return 0;
 }
+
+namespace
+{
 
 // The whole scene's, as cut to the device where one of the parts shows all of it; null for a plain shader.
-const Plan* planOf(const Rendering& rendering)
+const Plan* planOf(const PictureDrawer& drawer, const DrawingFacts& facts)
 {
-    if (!rendering.prepared)
+    if (drawer.prepared() == nullptr)
         return nullptr;
-    const Plan& whole = rendering.prepared->plan;
-    const auto& parts = rendering.still.parts;
-    return !parts.empty() && parts.back().plan.seen == whole.seen ? &parts.back().plan : &whole;
+    const Plan& whole = drawer.prepared()->plan;
+    return !facts.parts.empty() && facts.parts.back().plan.seen == whole.seen ? &facts.parts.back().plan
+                                                                              : &whole;
 }
 
 // The fullest shader as `path`; those of lesser parts of the picture beside it, as "NAME-1.frag" and so on.
-void writeShaders(const std::filesystem::path& path, const Still& still)
+void writeShaders(const std::filesystem::path& path, const DrawingFacts& facts)
 {
-    for (std::size_t i = 0; i + 1 < still.parts.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < facts.parts.size(); ++i) {
         const auto name = fmt::format("{}-{}{}", path.stem().string(), i + 1, path.extension().string());
         const auto beside = path.parent_path() / name;
-        writeFile(beside, shaderText(&still.parts[i], still.parts[i].shader));
+        writeFile(beside, shaderText(&facts.parts[i], facts.parts[i].shader));
         fmt::print(stderr, "{}: the shader where the picture shows {}\n", beside.string(),
-                   still.parts[i].name);
+                   facts.parts[i].name);
     }
-    writeFile(path, shaderText(still.parts.empty() ? nullptr : &still.parts.back(), still.shader));
+    writeFile(path, shaderText(facts.parts.empty() ? nullptr : &facts.parts.back(), facts.shader));
+}
+
+// "still_life.png", or "still_life-2-of-8.png" for a tile.
+std::string defaultOutput(const RenderOptions& options, const Input& input)
+{
+    std::string tile = options.tile;
+    if (const auto slash = tile.find('/'); slash != std::string::npos)
+        tile.replace(slash, 1, "-of-");
+    return input.name + (tile.empty() ? "" : "-" + tile) + ".png";
+}
+
+// What is said of a picture that is there.
+void report(const RenderOptions& options, const PictureDrawer& drawer, const StillReport& still)
+{
+    const Plan* plan = planOf(drawer, still.facts);
+    if (options.why)
+        fmt::print("{}", whyText(plan, still));
+    const ViewLegend* legend = still.figures.legend ? &*still.figures.legend : nullptr;
+    if (options.json)
+        fmt::print("{}", jsonText(options, still, drawer.context(), plan));
+    else if (legend != nullptr)
+        fmt::print("{}\n", join(legend->lines, "\n"));
+    if (still.figures.counts.nonfinite > 0)
+        fmt::print(stderr, "dioptre: {} pixels are not finite\n", still.figures.counts.nonfinite);
+    fmt::print(stderr, "{}: {}{}x{}, {} spp, {} ({})\n", options.output,
+               options.tile.empty() ? "" : "tile " + options.tile + " of ", options.width, options.height,
+               options.samples, drawer.context().backend, drawer.context().renderer);
+}
+
+void renderStill(RenderOptions options, const Input& input)
+{
+    Stopwatch whole;
+    const int atOnce = rowsAtOnce(options);
+    // Folders that cannot be written to are refused before anything is drawn.
+    PendingFile{options.output};
+    if (!options.shader.empty())
+        PendingFile{options.shader};
+    PictureDrawer drawer(options, input, options.time_s, atOnce);
+    if (!options.tile.empty())
+        options.settingsHash = settingsHash(options, drawer.context(), drawer.sourcesFingerprint());
+    StillReport still;
+    still.figures = drawPicture(drawer, options, nullptr, terminalProgress());
+    still.facts = drawer.facts();
+    still.phases = together(drawer.made(), still.figures.phases);
+    if (!options.shader.empty())
+        writeShaders(options.shader, still.facts);
+    still.phases.total = whole.lap_ms();
+    report(options, drawer, still);
 }
 
 } // namespace
 
 ExitCode render(const RenderOptions& asked)
 {
-    Stopwatch whole;
     RenderOptions options = asked;
     const Input input = findInput(options.input);
     if (options.output.empty())
-        options.output = input.name + ".png";
+        options.output = defaultOutput(options, input);
     refuseBadOptions(options, input);
     if (options.budget > 0)
         options.overrides.push_back(fmt::format("trace.budget={}", options.budget));
@@ -173,36 +155,10 @@ ExitCode render(const RenderOptions& asked)
         options.samples = 1; // it is asked once for each pixel
     if (!options.frames.empty())
         return renderFrames(options, input);
-    // Folders that cannot be written to are refused before anything is drawn.
-    PendingFile{options.output};
-    if (!options.shader.empty())
-        PendingFile{options.shader};
-    Rendering rendering = renderInput(options, input);
-    const Plan* plan = planOf(rendering);
-    Stopwatch watch;
-    std::optional<ShownView> shown;
-    if (!options.view.empty())
-        shown = shownView(rendering.still.picture, *rendering.prepared);
-    const ViewLegend* legend = shown ? &shown->legend : nullptr;
-    std::optional<Display> display; // none for a plain shader
-    if (rendering.prepared)
-        display = displayOf(options, rendering.prepared->scene.output);
-    writeStill(options, {rendering.still, rendering.context, display ? &*display : nullptr,
-                         shown ? &*shown : nullptr, rendering.layers});
-    rendering.still.phases.write = watch.lap_ms();
-    rendering.still.phases.total = whole.lap_ms();
-    if (!options.shader.empty())
-        writeShaders(options.shader, rendering.still);
-    if (options.why)
-        fmt::print("{}", whyText(plan, rendering.still));
-    if (options.json)
-        fmt::print("{}", jsonText(options, rendering.still, rendering.context, plan, legend));
-    else if (legend != nullptr)
-        fmt::print("{}\n", join(legend->lines, "\n"));
-    if (rendering.still.nonfinite > 0)
-        fmt::print(stderr, "dioptre: {} pixels are not finite\n", rendering.still.nonfinite);
-    fmt::print(stderr, "{}: {}x{}, {} spp, {} ({})\n", options.output, options.width, options.height,
-               options.samples, rendering.context.backend, rendering.context.renderer);
+    if (const int signal = signalDuring([&] { renderStill(options, input); }); signal != 0) {
+        fmt::print(stderr, "dioptre: stopped by a signal, and nothing was written\n");
+        endBySignal(signal);
+    }
     return ExitCode::done;
 }
 

@@ -3,8 +3,8 @@
 
 #include "command/command.h"
 #include "command/input.h"
-#include "render/still.h"
-#include "render/view_picture.h"
+
+#include <functional>
 
 namespace dioptre
 {
@@ -12,10 +12,8 @@ namespace dioptre
 // Options that would have no effect, or no sense, are refused, not passed over.
 void refuseBadOptions(const RenderOptions& options, const Input& input);
 
-// What the size, the samples, the view and the place of the sources are.
-StillSettings stillSettingsOf(const RenderOptions& options);
-
-// In double precision on the CPU: the same sources, no OpenGL.
-Still renderReferenceStill(const PreparedScene& prepared, const StillSettings& settings);
+// Works until the end or until a signal is noted (see Interruption) and comes to be heard. Gives the signal,
+// 0 for none.
+int signalDuring(const std::function<void()>& work);
 
 } // namespace dioptre

@@ -88,33 +88,42 @@ std::string shaderText(const DrawnPart* part, const SourceText& shader)
     return text + flatten(shader);
 }
 
-std::string whyText(const Plan* plan, const Still& still)
+Phases together(const Phases& a, const Phases& b)
+{
+    Phases sum;
+    for (const auto phase : {&Phases::context, &Phases::load, &Phases::compile, &Phases::firstDraw,
+                             &Phases::draw, &Phases::read, &Phases::write})
+        sum.*phase = a.*phase + b.*phase;
+    return sum;
+}
+
+std::string whyText(const Plan* plan, const StillReport& still)
 {
     std::string text;
     if (plan != nullptr) {
         text += planTable(*plan);
         text += fmt::format("\nbudget    {} rays a sample\n", plan->budget);
     }
-    if (still.shader.empty())
+    if (still.facts.shader.empty())
         return text + "traced in double precision on the CPU: no shader, textures or uniforms on a device\n";
-    const ShaderSize size = sizeOf(still.shader);
+    const ShaderSize size = sizeOf(still.facts.shader);
     text += fmt::format("shader    {} characters, {} lines, {} functions\n", size.characters, size.lines,
                         size.functions);
-    if (!still.parts.empty())
-        text += fmt::format("parts     {}\n", partsText(still.parts));
-    text += fmt::format("textures  {} ({:.1f} MiB)\n", orNone(still.textures),
-                        static_cast<double>(still.textureBytes) / (1024.0 * 1024.0));
-    text += fmt::format("uniforms  {}\n", orNone(still.uniforms));
-    text += fmt::format("blocks    {}\n", orNone(still.blocks));
+    if (!still.facts.parts.empty())
+        text += fmt::format("parts     {}\n", partsText(still.facts.parts));
+    text += fmt::format("textures  {} ({:.1f} MiB)\n", orNone(still.facts.textures),
+                        static_cast<double>(still.facts.textureBytes) / (1024.0 * 1024.0));
+    text += fmt::format("uniforms  {}\n", orNone(still.facts.uniforms));
+    text += fmt::format("blocks    {}\n", orNone(still.facts.blocks));
     text += fmt::format("compile   {:.1f} ms, first draw {:.1f} ms\n", still.phases.compile,
                         still.phases.firstDraw);
     return text;
 }
 
-std::string jsonText(const RenderOptions& options, const Still& still, const ContextInfo& context,
-                     const Plan* plan, const ViewLegend* legend)
+std::string jsonText(const RenderOptions& options, const StillReport& still, const ContextInfo& context,
+                     const Plan* plan)
 {
-    const ShaderSize size = sizeOf(still.shader);
+    const ShaderSize size = sizeOf(still.facts.shader);
     nlohmann::ordered_json json = {
         {"output", options.output},
         {"size", {options.width, options.height}},
@@ -131,17 +140,19 @@ std::string jsonText(const RenderOptions& options, const Still& still, const Con
           {"read", still.phases.read},
           {"write", still.phases.write}}},
         {"total_ms", still.phases.total},
-        {"rays_per_pixel", still.raysPerSample * options.samples},
-        {"nonfinite_pixels", still.nonfinite},
+        {"rays_per_pixel", still.figures.raysPerPixel()},
+        {"nonfinite_pixels", still.figures.counts.nonfinite},
         {"shader", {{"characters", size.characters}, {"lines", size.lines}, {"functions", size.functions}}},
-        {"uniforms", still.uniforms},
-        {"blocks", still.blocks},
-        {"textures", still.textures},
+        {"uniforms", still.facts.uniforms},
+        {"blocks", still.facts.blocks},
+        {"textures", still.facts.textures},
     };
-    if (legend != nullptr)
-        json["view"] = viewJson(options.view, *legend);
+    if (!options.tile.empty())
+        json["tile"] = options.tile;
+    if (still.figures.legend)
+        json["view"] = viewJson(options.view, *still.figures.legend);
     if (plan != nullptr) {
-        json["parts"] = partsJson(still.parts);
+        json["parts"] = partsJson(still.facts.parts);
         json["budget"] = plan->budget;
         for (const auto& feature : plan->features)
             json["plan"].push_back(

@@ -13,7 +13,7 @@ namespace dioptre
 namespace
 {
 
-constexpr int largestSide_px = 16384; // what every OpenGL driver that we know draws at once
+constexpr int largestSide_px = 131072; // the places of samples are floats: 1/64 of a pixel there
 
 // A whole number of decimal digits, 0 where the text is anything else or too large.
 int sideIn(std::string_view text)

@@ -25,11 +25,7 @@ Owner generate(Generate generateNames)
 
 void checkSize(int width, int height)
 {
-    GLint longestTexture = 0;
-    std::array<GLint, 2> longestViewport{};
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &longestTexture);
-    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, longestViewport.data());
-    const GLint longest = std::min({longestTexture, longestViewport[0], longestViewport[1]});
+    const int longest = longestTargetSide();
     if (width < 1 || height < 1 || width > longest || height > longest)
         fail(ExitCode::usage, fmt::format("pictures of {}x{} pixels cannot be drawn here", width, height),
              fmt::format("choose a --size of 1 to {} on either side", longest));
@@ -94,15 +90,31 @@ void drawAdding(const AccumulationTarget& target, int x, int y, int width, int h
     glDisable(GL_SCISSOR_TEST);
 }
 
-Picture readBack(const AccumulationTarget& target)
+void readBackInto(Picture& picture, int x, int y, const AccumulationTarget& target, int width, int height)
 {
-    Picture picture{target.width, target.height, PixelFormat::float32, {}, {}};
-    picture.floats.resize(4 * static_cast<std::size_t>(target.width) *
-                          static_cast<std::size_t>(target.height));
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, target.width, target.height, GL_RGBA, GL_FLOAT, picture.floats.data());
+    glPixelStorei(GL_PACK_ROW_LENGTH, picture.width);
+    const auto first =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x);
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, &picture.floats[4 * first]);
+    glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+}
+
+Picture readBack(const AccumulationTarget& target)
+{
+    Picture picture = blankFloats(target.width, target.height);
+    readBackInto(picture, 0, 0, target, target.width, target.height);
     return picture;
+}
+
+int longestTargetSide()
+{
+    GLint longestTexture = 0;
+    std::array<GLint, 2> longestViewport{};
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &longestTexture);
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, longestViewport.data());
+    return std::min({longestTexture, longestViewport[0], longestViewport[1]});
 }
 
 } // namespace dioptre

@@ -33,4 +33,11 @@ void drawReplacing(const AccumulationTarget& target);
 // Reads the target back: rows from the bottom up, sums as they stand.
 Picture readBack(const AccumulationTarget& target);
 
+// The same of the target's lower left `width` x `height` pixels, into a float32 picture with its lower left
+// corner at (x, y).
+void readBackInto(Picture& picture, int x, int y, const AccumulationTarget& target, int width, int height);
+
+// The longest side that a target can have here, in pixels.
+int longestTargetSide();
+
 } // namespace dioptre

@@ -188,13 +188,15 @@ static void setUniforms(const PackedScene& scene, const ShapeTable& table, int w
     u_sky_picture = scene.sky_picture.empty() ? nullptr : &scene.sky_picture.front();
 }
 
-static void renderRow(const PackedScene& scene, int y, int samples, Picture& picture)
+// Row y of the picture, whose lower left pixel is `corner` of the whole.
+static void renderRow(const PackedScene& scene, const vec2& corner, int y, int samples, Picture& picture)
 {
     for (int x = 0; x < picture.width; ++x) {
         vec4 sum(0.0);
         for (int i = 0; i < samples; ++i)
-            sum += traceTree(scene, eyePath(vec2(x + 0.5, y + 0.5) + sampleOffset(i)));
-        const auto pixel = static_cast<std::size_t>(4 * (y * picture.width + x));
+            sum += traceTree(scene, eyePath(corner + vec2(x + 0.5, y + 0.5) + sampleOffset(i)));
+        const auto pixel = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                                static_cast<std::size_t>(x));
         for (int channel = 0; channel < 4; ++channel)
             picture.floats[pixel + static_cast<std::size_t>(channel)] =
                 static_cast<float>(sum[channel] / samples);
@@ -203,7 +205,8 @@ static void renderRow(const PackedScene& scene, int y, int samples, Picture& pic
 
 } // namespace reference
 
-Picture renderReference(const PackedScene& scene, int width, int height, int samples)
+Picture renderReference(const PackedScene& scene, int width, int height, int samples,
+                        const PixelRectangle& region)
 {
     ShapeTable table = shapeTable(scene);
     if (scene.objects.empty()) {
@@ -211,12 +214,11 @@ Picture renderReference(const PackedScene& scene, int width, int height, int sam
         table.index.emplace_back(0.0);
     }
     reference::setUniforms(scene, table, width, height);
-    Picture picture;
-    picture.width = width;
-    picture.height = height;
-    picture.floats.resize(static_cast<std::size_t>(4 * width * height));
-    inParallel(static_cast<std::size_t>(height),
-               [&](std::size_t y) { reference::renderRow(scene, static_cast<int>(y), samples, picture); });
+    Picture picture = blankFloats(region.width, region.height);
+    const reference::vec2 corner(region.x, region.y);
+    inParallel(static_cast<std::size_t>(region.height), [&](std::size_t y) {
+        reference::renderRow(scene, corner, static_cast<int>(y), samples, picture);
+    });
     return picture;
 }
 

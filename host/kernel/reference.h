@@ -2,6 +2,7 @@
 // against.
 #pragma once
 
+#include "base/pixel_rectangle.h"
 #include "kernel/packed_scene.h"
 
 #include <filesystem>
@@ -9,9 +10,11 @@
 namespace dioptre
 {
 
-// Renders the scene on all cores with the settings that it carries, `samples` a pixel. float32 means of the
-// samples, rows from the bottom up; alpha holds the rays traced a sample.
-Picture renderReference(const PackedScene& scene, int width, int height, int samples);
+// Renders a part of a picture of width x height pixels on all cores with the settings that the scene carries,
+// `samples` a pixel. float32 means of the samples, rows from the bottom up; alpha holds the rays traced a
+// sample.
+Picture renderReference(const PackedScene& scene, int width, int height, int samples,
+                        const PixelRectangle& region);
 
 // The fingerprint of the shader sources that the reference was compiled from, and that of a folder. Where
 // they differ the reference would speak for other sources than the device runs.

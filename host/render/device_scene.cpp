@@ -240,7 +240,8 @@ GLint locationOf(const Program& program, const std::string& name)
     return found == program.uniforms.end() ? -1 : found->second;
 }
 
-void bind(const Program& program, const DeviceScene& device, const PackedScene& packed, int width, int height)
+void bind(const Program& program, const DeviceScene& device, const PackedScene& packed,
+          const glm::ivec2& size_px, const glm::ivec2& origin_px)
 {
     glUseProgram(program.name.name());
     GLuint binding = 0;
@@ -260,8 +261,11 @@ void bind(const Program& program, const DeviceScene& device, const PackedScene& 
         glUniform1i(locationOf(program, texture.uniform), unit++);
     }
     const auto locate = [&](const char* name) { return locationOf(program, name); };
-    glUniform2f(locate("u_resolution"), static_cast<float>(width), static_cast<float>(height));
-    glUniform2f(locate("u_tile_origin_px"), 0.0F, 0.0F);
+    const auto setPair = [&](const char* name, const glm::vec2& pair) {
+        glUniform2f(locate(name), pair.x, pair.y);
+    };
+    setPair("u_resolution", size_px);
+    setPair("u_tile_origin_px", origin_px);
     glUniform1i(locate("u_budget"), packed.budget);
     glUniform1f(locate("u_cut_off"), static_cast<float>(packed.cutOff));
     glUniform1i(locate("u_depth"), packed.depth);

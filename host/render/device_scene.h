@@ -5,6 +5,7 @@
 #include "gl/program.h"
 #include "render/assemble.h"
 
+#include <glm/glm.hpp>
 #include <string>
 #include <vector>
 
@@ -58,8 +59,8 @@ void checkInterface(const Program& program, const PackedScene& packed, const Pla
 GLint locationOf(const Program& program, const std::string& name);
 
 // Makes the program current, binds those buffers and textures that it reads, and sets every uniform that
-// stays the same between draws.
-void bind(const Program& program, const DeviceScene& device, const PackedScene& packed, int width,
-          int height);
+// stays the same between draws. `origin_px`: the lower left corner of what is drawn, in the whole picture.
+void bind(const Program& program, const DeviceScene& device, const PackedScene& packed,
+          const glm::ivec2& size_px, const glm::ivec2& origin_px);
 
 } // namespace dioptre

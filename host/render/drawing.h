@@ -2,8 +2,13 @@
 #pragma once
 
 #include "base/picture.h"
+#include "gl/target.h"
+#include "render/draw_pacer.h"
+#include "render/plan.h"
+#include "render/source_text.h"
 
-#include <functional>
+#include <string>
+#include <vector>
 
 namespace dioptre
 {
@@ -15,23 +20,56 @@ struct BuildTimes {
     double firstDraw = 0.0; // one pixel: drivers compile here
 };
 
+// What is counted in a picture, or in a part of one.
+struct PixelCounts {
+    double rays = 0.0;         // traced in all samples of all pixels; 0 of a plain shader
+    std::size_t nonfinite = 0; // pixels with a channel, alpha apart, that is NaN or infinite
+};
+
+// A part of the picture that had a program of its own.
+struct DrawnPart {
+    std::string name;   // as PicturePart
+    double share = 0.0; // of the pixels, 0..1
+    std::size_t rectangles = 0;
+    Plan plan; // as cut to what the device carries
+    SourceText shader;
+};
+
+// What draws, for reports.
+struct DrawingFacts {
+    SourceText shader;            // of the fullest part; empty where there is no device
+    std::vector<DrawnPart> parts; // the fullest last; empty where no device drew a scene
+    std::size_t textureBytes = 0;
+    std::vector<std::string> textures; // sampler uniforms in use
+    std::vector<std::string> uniforms; // active, outside blocks
+    std::vector<std::string> blocks;   // active uniform blocks
+};
+
 class Drawing
 {
 public:
-    Drawing() = default;
     Drawing(const Drawing&) = delete;
     Drawing& operator=(const Drawing&) = delete;
     virtual ~Drawing() = default;
 
-    // Draws all pixels anew without waiting for the end, unless `progress`, which is told the share that is
-    // drawn, 0..1, wants to hear of it; it may be empty.
-    virtual void submit(const std::function<void(double)>& progress = {}) = 0;
+    // What is drawn from now on: a part of the picture, no larger than the target, with its corner at
+    // multiples of 64 pixels. At first it is the picture's lower left, as far as the target goes.
+    void show(const PixelRectangle& region);
+
+    // Draws all pixels of the region anew, without waiting for the end unless `progress` is to be told.
+    void submit(const Progress& progress = {});
 
     // The same, and returns when they are done.
-    void draw(const std::function<void(double)>& progress = {});
+    void draw(const Progress& progress = {});
 
-    // float32; rows from the bottom up.
-    virtual Picture read() const = 0;
+    // What was drawn, as the device holds it, into a float32 picture with the region's corner at (x, y).
+    void readInto(Picture& picture, int x, int y) const;
+    Picture read() const;
+
+    // Turns what was read into what was asked for. Throws badInput where a driver cut it short.
+    virtual PixelCounts finish(Picture& picture) const = 0;
+
+    virtual DrawingFacts facts() const = 0;
 
     const BuildTimes& times() const
     {
@@ -39,7 +77,30 @@ public:
     }
 
 protected:
+    // A target of so many pixels, and the time that a draw may take.
+    Drawing(int width, int height, double drawLimit_s);
+
+    // Calls cover() until every pixel of the region was drawn passes() times.
+    virtual void drawRegion() = 0;
+    virtual long passes() const = 0;
+
+    // Draws, with the program that is current, what of the picture's rectangle is in the region; adds to what
+    // is there.
+    void cover(const PixelRectangle& area);
+
+    // One pixel, so that the driver compiles.
+    void drawFirst();
+
+    // Until all that was drawn is done.
+    void wait() const;
+
+    PixelRectangle region_;
     BuildTimes times_;
+
+private:
+    AccumulationTarget target_;
+    DrawPacer pacer_;
+    double drawLimit_s_;
 };
 
 } // namespace dioptre

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "render/renderer.h"
+#include "render/still.h"
 
 #include <algorithm>
 
@@ -10,16 +10,6 @@ namespace dioptre
 {
 namespace
 {
-
-// The sums of a view's samples.
-Picture sumsOf(const Scene& scene, DataView view, ViewSettings settings, const ContextInfo& context)
-{
-    settings.view = view;
-    const PreparedScene prepared = prepare(scene, settings);
-    Renderer renderer(prepared, settings, context);
-    renderer.draw();
-    return renderer.read();
-}
 
 // One number a pixel, from the four that a view summed there.
 template <typename NumberOf>
@@ -65,37 +55,60 @@ std::vector<LayerRow> layersNamed(const std::vector<std::string>& names)
     return rows;
 }
 
-std::vector<ExrLayer> drawLayers(const Scene& scene, const std::vector<LayerRow>& rows,
-                                 const ViewSettings& view, const ContextInfo& context)
+LayerDrawer::LayerDrawer(const Scene& scene, const std::vector<LayerRow>& rows, const ViewSettings& view,
+                         const ContextInfo& context)
+    : rows_(rows), widthAtOnce_(targetWidth(view))
+{
+    const auto make = [&](DataView data, int samples) {
+        ViewSettings own = view;
+        own.view = data;
+        own.samples = samples;
+        auto& drawn = views_[data];
+        drawn.prepared = std::make_unique<PreparedScene>(prepare(scene, own));
+        drawn.renderer = std::make_unique<Renderer>(*drawn.prepared, own, context);
+    };
+    for (const auto& row : rows)
+        make(row.view, row.view == DataView::number ? 1 : view.samples); // a number's at the pixel's centre
+    // A normal's mean needs to know how many samples met something, which depth counts.
+    if (views_.contains(DataView::normal) && !views_.contains(DataView::depth))
+        make(DataView::depth, view.samples);
+}
+
+std::vector<std::string> LayerDrawer::channels() const
+{
+    std::vector<std::string> names;
+    for (const auto& row : rows_)
+        names.insert(names.end(), row.channels.begin(), row.channels.end());
+    return names;
+}
+
+Picture LayerDrawer::sumsOf(DataView view, const PixelRectangle& region) const
+{
+    return drawSums(*views_.at(view).renderer, region, widthAtOnce_);
+}
+
+std::vector<ExrLayer> LayerDrawer::draw(const PixelRectangle& region) const
 {
     std::vector<ExrLayer> layers;
-    const auto asks = [&rows](DataView wanted) {
-        return std::ranges::find(rows, wanted, &LayerRow::view) != rows.end();
-    };
-    // A normal's mean needs to know how many samples met something, which depth counts.
     Picture depth;
-    if (asks(DataView::depth) || asks(DataView::normal))
-        depth = sumsOf(scene, DataView::depth, view, context);
-    for (const auto& row : rows) {
+    if (views_.contains(DataView::depth))
+        depth = sumsOf(DataView::depth, region);
+    for (const auto& row : rows_) {
         if (row.view == DataView::depth)
             layers.push_back(layerOf(row.channels[0], depth, [](const float* sum) {
                 return sum[1] > 0.0F ? sum[0] / sum[1] : 0.0F;
             }));
         if (row.view == DataView::normal) {
-            const Picture normal = sumsOf(scene, DataView::normal, view, context);
+            const Picture normal = sumsOf(DataView::normal, region);
             for (std::size_t c = 0; c < 3; ++c)
                 layers.push_back(layerOf(row.channels[c], normal, [&, c](const float* sum) {
                     return meanNormal(sum[c],
                                       depth.floats[static_cast<std::size_t>(sum - normal.floats.data() + 1)]);
                 }));
         }
-        if (row.view == DataView::number) {
-            ViewSettings centre = view;
-            centre.samples = 1;
-            const Picture number = sumsOf(scene, DataView::number, centre, context);
-            layers.push_back(
-                layerOf(row.channels[0], number, [](const float* sum) { return sum[0] - 1.0F; }));
-        }
+        if (row.view == DataView::number)
+            layers.push_back(layerOf(row.channels[0], sumsOf(DataView::number, region),
+                                     [](const float* sum) { return sum[0] - 1.0F; }));
     }
     return layers;
 }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "gl/context.h"
-#include "render/prepare.h"
+#include "render/renderer.h"
 
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,7 +28,29 @@ std::vector<LayerRow> layersNamed(const std::vector<std::string>& names);
 // Draws them on the current context, with the samples of `view` but for objects, whose numbers have no mean:
 // they are those of the sample at the pixel's centre. Depth and normals are the means over the samples that
 // meet something, 0 where none does.
-std::vector<ExrLayer> drawLayers(const Scene& scene, const std::vector<LayerRow>& rows,
-                                 const ViewSettings& view, const ContextInfo& context);
+class LayerDrawer
+{
+public:
+    LayerDrawer(const Scene& scene, const std::vector<LayerRow>& rows, const ViewSettings& view,
+                const ContextInfo& context);
+
+    // Names of the layers that draw() gives.
+    std::vector<std::string> channels() const;
+
+    // Of a rectangle of the picture, as drawStill().
+    std::vector<ExrLayer> draw(const PixelRectangle& region) const;
+
+private:
+    struct DrawnView {
+        std::unique_ptr<PreparedScene> prepared; // stays where the renderer looks for it
+        std::unique_ptr<Renderer> renderer;
+    };
+
+    Picture sumsOf(DataView view, const PixelRectangle& region) const;
+
+    std::vector<LayerRow> rows_;
+    int widthAtOnce_;
+    std::map<DataView, DrawnView> views_;
+};
 
 } // namespace dioptre

@@ -3,6 +3,7 @@
 // but to cast shadows.
 #pragma once
 
+#include "base/pixel_rectangle.h"
 #include "render/plan.h"
 
 #include <string>
@@ -10,14 +11,6 @@
 
 namespace dioptre
 {
-
-// Pixels [x, x + width) x [y, y + height), from the picture's lower left corner.
-struct PixelRectangle {
-    int x = 0;
-    int y = 0;
-    int width = 0;
-    int height = 0;
-};
 
 struct PicturePart {
     std::string name;                       // "sky", "2 of 10 objects", "everything"

@@ -3,8 +3,13 @@
 #include "base/clock.h"
 #include "base/text.h"
 #include "render/build.h"
+#include "render/samples.h"
+#include "render/still.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 
 namespace dioptre
@@ -12,11 +17,21 @@ namespace dioptre
 namespace
 {
 
-std::array<ChannelKind, 4> kindsOf(const PlainSettings& plain)
+PlainForm formOf(const PlainSettings& plain, const ViewSettings& view, const ContextInfo& context)
 {
-    std::array<ChannelKind, 4> kinds{};
-    std::ranges::transform(plain.channels, kinds.begin(), &ChannelSource::kind);
-    return kinds;
+    PlainForm form;
+    std::ranges::transform(plain.channels, form.channels.begin(), &ChannelSource::kind);
+    form.inTiles = targetWidth(view) < view.width || targetHeight(view) < view.height;
+    form.loopsMayBeEnded = context.software;
+    return form;
+}
+
+std::size_t countEnded(const Picture& picture)
+{
+    std::size_t count = 0;
+    for (const float number : picture.floats)
+        count += std::bit_cast<std::uint32_t>(number) == loopsWereEnded ? 1 : 0;
+    return count;
 }
 
 } // namespace
@@ -28,21 +43,24 @@ void startVariablesAtZero()
 }
 
 PlainRenderer::PlainRenderer(const std::filesystem::path& shader, const ViewSettings& view,
-                             PlainSettings plain)
-    : shader_(shader), plain_(std::move(plain))
+                             PlainSettings plain, const ContextInfo& context)
+    : Drawing(targetWidth(view), targetHeight(view), view.drawLimit_s), shader_(shader),
+      plain_(std::move(plain)), size_px_(view.width, view.height)
 {
     Stopwatch watch;
-    text_ = assemblePlain(shader, view.glslFolder, kindsOf(plain_)).text;
+    text_ = assemblePlain(shader, view.glslFolder, formOf(plain_, view, context));
     std::ranges::transform(plain_.channels, channels_.begin(), makeChannel);
-    target_ = makeAccumulationTarget(view.width, view.height);
     times_.load = watch.lap_ms();
-    program_ = buildProgram(text_);
+    program_ = buildProgram(text_.text);
     times_.compile = watch.lap_ms();
+    if (text_.checksLoops && !program_.uniforms.contains(loopCheckUniform))
+        fail(ExitCode::badInput, {shader_.string()}, "it has a loop that never ends: no pixel is ever done",
+             "give the loop a condition, or a break that is reached");
     glUseProgram(program_.name.name());
-    uniforms_ = feedOnce(program_, numbers(), plain_.values, shader_, text_);
+    uniforms_ = feedOnce(program_, numbers(), plain_.values, shader_, text_.text);
     bind();
-    drawAdding(target_, 0, 0, 1, 1); // makes the driver compile
-    glFinish();
+    drawFirst();
+    wait();
     times_.firstDraw = watch.lap_ms();
 }
 
@@ -55,7 +73,10 @@ HostNumbers PlainRenderer::numbers() const
 {
     std::array<glm::ivec2, 4> sizes_px;
     std::ranges::transform(channels_, sizes_px.begin(), &Channel::size_px);
-    return hostUniforms(plain_.frame, target_.width, target_.height, sizes_px);
+    HostNumbers numbers = hostUniforms(plain_.frame, size_px_.x, size_px_.y, sizes_px);
+    numbers[tileOriginUniform] = {static_cast<double>(region_.x), static_cast<double>(region_.y)};
+    numbers[loopCheckUniform] = {2.0};
+    return numbers;
 }
 
 void PlainRenderer::bind() const
@@ -68,56 +89,34 @@ void PlainRenderer::bind() const
     feedFrame(uniforms_, numbers(), shader_);
 }
 
-// Scissored draws bound the time of each.
-void PlainRenderer::submit(const std::function<void(double)>& progress)
+void PlainRenderer::drawRegion()
 {
-    constexpr int tile_px = 512;
-    const double total = static_cast<double>(target_.width) * target_.height;
-    double done = 0.0;
-    clear(target_);
     bind();
-    for (int y = 0; y < target_.height; y += tile_px) {
-        for (int x = 0; x < target_.width; x += tile_px) {
-            const int width = std::min(tile_px, target_.width - x);
-            const int height = std::min(tile_px, target_.height - y);
-            drawAdding(target_, x, y, width, height);
-            done += static_cast<double>(width) * height;
-            if (progress) {
-                glFinish();
-                progress(done / total);
-            }
-        }
-    }
+    cover(region_);
 }
 
-Picture PlainRenderer::read() const
+long PlainRenderer::passes() const
 {
-    return readBack(target_);
+    return 1;
 }
 
-Still drawPlain(PlainRenderer& renderer, const std::function<void(double)>& progress)
+PixelCounts PlainRenderer::finish(Picture& picture) const
 {
-    Still still;
-    Stopwatch watch;
-    renderer.draw(progress);
-    still.phases.draw = watch.lap_ms();
-    still.picture = renderer.read();
-    still.nonfinite = countNonfinite(still.picture);
-    still.phases.read = watch.lap_ms();
-    still.shader = renderer.text();
-    still.uniforms = keysOf(renderer.program().uniforms);
-    return still;
+    const std::size_t ended = text_.checksLoops ? countEnded(picture) : 0;
+    if (ended > 0)
+        fail(ExitCode::badInput, {shader_.string()},
+             fmt::format("this software driver ended the loops of {} pixels after {} iterations", ended,
+                         softwareLoopCap),
+             "look for a loop that does not end, or needs fewer iterations, or draw on a graphics card");
+    return {0.0, countNonfinite(picture)};
 }
 
-Still renderPlain(const std::filesystem::path& shader, const StillSettings& settings,
-                  const PlainSettings& plain)
+DrawingFacts PlainRenderer::facts() const
 {
-    PlainRenderer renderer(shader, settings, plain);
-    Still still = drawPlain(renderer, settings.progress);
-    still.phases.load = renderer.times().load;
-    still.phases.compile = renderer.times().compile;
-    still.phases.firstDraw = renderer.times().firstDraw;
-    return still;
+    DrawingFacts facts;
+    facts.shader = text_.text;
+    facts.uniforms = keysOf(program_.uniforms);
+    return facts;
 }
 
 } // namespace dioptre

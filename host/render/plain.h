@@ -1,11 +1,11 @@
 // A plain shader from its file to a picture: one sample a pixel, no decoding and no encoding.
 #pragma once
 
-#include "gl/target.h"
+#include "gl/context.h"
 #include "render/drawing.h"
 #include "render/plain_channels.h"
 #include "render/plain_uniforms.h"
-#include "render/still.h"
+#include "render/prepare.h"
 
 namespace dioptre
 {
@@ -25,23 +25,26 @@ class PlainRenderer final : public Drawing
 public:
     // On the current context. Throws badInput with the author's file and line when the shader does not
     // compile or reads what nothing feeds, and usage for values that do not fit it.
-    PlainRenderer(const std::filesystem::path& shader, const ViewSettings& view, PlainSettings plain);
+    PlainRenderer(const std::filesystem::path& shader, const ViewSettings& view, PlainSettings plain,
+                  const ContextInfo& context);
 
     // Goes on at another time.
     void moveTo(const PlainFrame& frame);
 
-    // Colours as the shader gives them.
-    void submit(const std::function<void(double)>& progress = {}) override;
-    Picture read() const override;
+    // Colours as the shader gives them. Throws badInput where the driver ended loops of the shader, and the
+    // picture is not what the shader says.
+    PixelCounts finish(Picture& picture) const override;
+
+    DrawingFacts facts() const override;
 
     const SourceText& text() const
     {
-        return text_;
+        return text_.text;
     }
-    const Program& program() const
-    {
-        return program_;
-    }
+
+protected:
+    void drawRegion() override;
+    long passes() const override;
 
 private:
     HostNumbers numbers() const; // of the frame
@@ -49,18 +52,11 @@ private:
 
     std::filesystem::path shader_;
     PlainSettings plain_;
-    SourceText text_;
+    glm::ivec2 size_px_; // of the whole picture
+    PlainText text_;
     std::array<Channel, 4> channels_;
-    AccumulationTarget target_;
     Program program_;
     std::vector<HostUniform> uniforms_; // that each frame feeds
 };
-
-// The picture with the times of drawing and reading.
-Still drawPlain(PlainRenderer& renderer, const std::function<void(double)>& progress);
-
-// The same from the file on.
-Still renderPlain(const std::filesystem::path& shader, const StillSettings& settings,
-                  const PlainSettings& plain);
 
 } // namespace dioptre

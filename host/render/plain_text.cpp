@@ -18,6 +18,11 @@ struct Names {
     std::set<std::string> mentioned;
     std::set<std::string> uniforms;
     std::set<std::string> macros;
+
+    bool any(std::initializer_list<const char*> words) const
+    {
+        return std::ranges::any_of(words, [this](const char* word) { return mentioned.contains(word); });
+    }
 };
 
 Names namesOf(const SourceText& source)
@@ -78,8 +83,6 @@ std::string shadertoyHeader(const Names& names, const std::array<ChannelKind, 4>
     std::string text = "#define HW_PERFORMANCE 1\n#define iGlobalTime iTime\n"
                        "#define gl_FragColor colourOfTheShader\n"
                        "vec4 colourOfTheShader;\n";
-    if (names.mentioned.contains("main") && !names.macros.contains("main"))
-        text += "#define main mainOfTheShader\n";
     const auto declare = [&](const std::string& type, const std::string& name, const std::string& count) {
         if (!names.uniforms.contains(name))
             text += "uniform " + type + " " + name + count + ";\n";
@@ -101,16 +104,90 @@ std::string shadertoyHeader(const Names& names, const std::array<ChannelKind, 4>
     return text;
 }
 
+// The main() of the shader's own makes room for the host's, and the pixels of a tile have their places in the
+// whole picture.
+std::string frameHeader(const Names& names, const std::filesystem::path& shader, bool ownMain, bool inTiles)
+{
+    std::string text;
+    if (ownMain && names.mentioned.contains("main") && !names.macros.contains("main"))
+        text += "#define main mainOfTheShader\n";
+    if (!inTiles)
+        return text;
+    if (names.any({"origin_upper_left", "pixel_center_integer"}))
+        fail(ExitCode::badInput, {shader.string()},
+             "it declares gl_FragCoord anew, and in tiles that cannot be followed",
+             "leave the declaration out, or draw a smaller --size");
+    return text +
+           fmt::format("uniform vec2 {0};\n#define gl_FragCoord (gl_FragCoord + vec4({0}, 0.0, 0.0))\n",
+                       tileOriginUniform);
+}
+
+// Software drivers end the loops of a pixel after so many iterations, and all that follow after one: this
+// loop runs twice only where none was ended.
+std::string loopCheck()
+{
+    return fmt::format("uniform int {0};\n"
+                       "bool dioptre_loopsWereEnded()\n{{\n"
+                       "    int turns = 0;\n"
+                       "    while (turns < {0})\n        ++turns;\n"
+                       "    return turns < 2;\n}}\n",
+                       loopCheckUniform);
+}
+
+// Where the shader's own main() writes, and the last component there: "fragColor" and 4. No name where
+// nothing is told of it.
+struct Output {
+    std::string name;
+    std::size_t components = 0;
+};
+
+// Brackets that are open before the line's `end`th letter, when `depth` were before the line.
+int depthAt(const std::string& line, std::size_t end, int depth)
+{
+    for (std::size_t i = 0; i < end; ++i)
+        depth += line[i] == '(' || line[i] == '{' ? 1 : line[i] == ')' || line[i] == '}' ? -1 : 0;
+    return depth;
+}
+
+Output outputOf(const SourceText& source, const Names& names)
+{
+    bool inComment = false;
+    int depth = 0; // in brackets
+    for (const auto& line : source) {
+        auto words = identifiers(line.text, inComment);
+        std::erase_if(words,
+                      [](auto word) { return word == "highp" || word == "mediump" || word == "lowp"; });
+        for (std::size_t i = 0; i + 2 < words.size(); ++i) {
+            const std::string_view type = words[i + 1];
+            const bool isOutput = words[i] == "out" && (type == "vec4" || type == "vec3" || type == "vec2");
+            const auto at = static_cast<std::size_t>(words[i].data() - line.text.data());
+            if (isOutput && depthAt(line.text, at, depth) == 0)
+                return {std::string(words[i + 2]), static_cast<std::size_t>(type.back() - '0')};
+        }
+        depth = depthAt(line.text, line.text.size(), depth);
+    }
+    return names.mentioned.contains("gl_FragColor") ? Output{"gl_FragColor", 4} : Output{};
+}
+
 // Names of one letter are often macros of the shader: none stands here.
-constexpr const char* shadertoyMain = "#undef main\n"
-                                      "out vec4 dioptre_pixel;\n"
-                                      "void main()\n"
-                                      "{\n"
-                                      "    vec4 dioptre_colour = vec4(0.0, 0.0, 0.0, 1.0);\n"
-                                      "    mainImage(dioptre_colour, gl_FragCoord.xy);\n"
-                                      "    dioptre_pixel = dioptre_colour;\n"
-                                      "    dioptre_pixel[3] = 1.0;\n"
-                                      "}\n";
+std::string frameMain(const Output& output, bool mainImage, bool checksLoops)
+{
+    std::string text = "#undef main\n";
+    if (checksLoops)
+        text += loopCheck();
+    if (mainImage)
+        text += "out vec4 dioptre_pixel;\n";
+    text += "void main()\n{\n";
+    text += mainImage ? "    vec4 dioptre_colour = vec4(0.0, 0.0, 0.0, 1.0);\n"
+                        "    mainImage(dioptre_colour, gl_FragCoord.xy);\n"
+                        "    dioptre_pixel = dioptre_colour;\n"
+                        "    dioptre_pixel[3] = 1.0;\n"
+                      : "    mainOfTheShader();\n";
+    if (checksLoops)
+        text += fmt::format("    if (dioptre_loopsWereEnded())\n        {}[{}] = uintBitsToFloat({}u);\n",
+                            output.name, output.components - 1, loopsWereEnded);
+    return text + "}\n";
+}
 
 void append(SourceText& text, const SourceText& more)
 {
@@ -120,7 +197,7 @@ void append(SourceText& text, const SourceText& more)
 } // namespace
 
 PlainText assemblePlain(const std::filesystem::path& shader, const std::filesystem::path& glslFolder,
-                        const std::array<ChannelKind, 4>& channels)
+                        const PlainForm& form)
 {
     PreprocessInput input;
     input.folders = {shader.has_parent_path() ? shader.parent_path() : ".", glslFolder};
@@ -131,12 +208,17 @@ PlainText assemblePlain(const std::filesystem::path& shader, const std::filesyst
     if (!plain.mainImage && !names.mentioned.contains("main"))
         fail(ExitCode::badInput, {shader.string()}, "neither main() nor mainImage() is in it",
              "write void mainImage(out vec4 fragColor, in vec2 fragCoord), as on Shadertoy, or void main()");
-    append(plain.text, linesOf("#version 330 core\n" + builtIns(names), "generated"));
+    const Output output = plain.mainImage ? Output{"dioptre_pixel", 4} : outputOf(body, names);
+    plain.checksLoops = form.loopsMayBeEnded && !output.name.empty() && !names.macros.contains("main") &&
+                        names.any({"for", "while", "do"});
+    const bool ownMain = plain.mainImage || plain.checksLoops;
+    std::string header = "#version 330 core\n" + builtIns(names);
     if (plain.mainImage)
-        append(plain.text, linesOf(shadertoyHeader(names, channels), "generated"));
+        header += shadertoyHeader(names, form.channels);
+    append(plain.text, linesOf(header + frameHeader(names, shader, ownMain, form.inTiles), "generated"));
     append(plain.text, body);
-    if (plain.mainImage)
-        append(plain.text, linesOf(shadertoyMain, "generated"));
+    if (ownMain)
+        append(plain.text, linesOf(frameMain(output, plain.mainImage, plain.checksLoops), "generated"));
     return plain;
 }
 

@@ -5,6 +5,7 @@
 #include "render/source_text.h"
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 
 namespace dioptre
@@ -12,15 +13,33 @@ namespace dioptre
 
 enum class ChannelKind { picture, cube };
 
+// What is written around a plain shader.
+struct PlainForm {
+    std::array<ChannelKind, 4> channels{};
+    bool inTiles = false;         // what is drawn at once is less than the picture
+    bool loopsMayBeEnded = false; // by the driver, without a word: pixels are to tell
+};
+
+// Of the tile's lower left corner, in the whole picture.
+inline constexpr const char* tileOriginUniform = "dioptre_tile_origin_px";
+
+// The bits that stand for alpha where a pixel's loops were ended: a NaN that no arithmetic makes.
+inline constexpr std::uint32_t loopsWereEnded = 0x7FC0D109U;
+
+// Always 2: the check of loops reads it, so that no compiler knows. One that drops it knows that the check is
+// never reached.
+inline constexpr const char* loopCheckUniform = "dioptre_two";
+
 struct PlainText {
     SourceText text;
-    bool mainImage = false; // Shadertoy's convention
+    bool mainImage = false;   // Shadertoy's convention
+    bool checksLoops = false; // a pixel whose loops were ended holds `loopsWereEnded` in one of its channels
 };
 
 // Includes are looked for beside the including file's shader and in `glslFolder`. Throws badInput (includes
-// in a circle, a #version that is neither 330 core nor 300 es, neither main() nor mainImage()) and
-// inputMissing.
+// in a circle, a #version that is neither 330 core nor 300 es, neither main() nor mainImage(), a gl_FragCoord
+// declared anew in tiles) and inputMissing.
 PlainText assemblePlain(const std::filesystem::path& shader, const std::filesystem::path& glslFolder,
-                        const std::array<ChannelKind, 4>& channels);
+                        const PlainForm& form);
 
 } // namespace dioptre

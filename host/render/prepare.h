@@ -5,6 +5,7 @@
 #include "kernel/packed_scene.h"
 #include "render/picture_parts.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace dioptre
@@ -18,7 +19,20 @@ struct ViewSettings {
     std::filesystem::path glslFolder;
     PictureCache pictures{};        // none unless one is named
     DataView view = DataView::none; // data in place of light
+    int widthAtOnce = 0;            // pixels of the picture that are drawn at once, see Drawing::show();
+    int heightAtOnce = 0;           // 0: all
+    double drawLimit_s = 30.0;      // that a draw may take: it is taken for endless then
 };
+
+// What of the picture a target holds.
+inline int targetWidth(const ViewSettings& view)
+{
+    return view.widthAtOnce > 0 ? std::min(view.widthAtOnce, view.width) : view.width;
+}
+inline int targetHeight(const ViewSettings& view)
+{
+    return view.heightAtOnce > 0 ? std::min(view.heightAtOnce, view.height) : view.height;
+}
 
 struct PreparedScene {
     Scene scene; // under its light type, and less what its view does not ask for

@@ -1,8 +1,11 @@
 #include "render/renderer.h"
 
 #include "base/clock.h"
+#include "base/text.h"
 #include "render/build.h"
 #include "render/shared_values.h"
+#include "render/still.h"
+#include "render/view_picture.h"
 
 #include <algorithm>
 
@@ -27,10 +30,23 @@ Plan planFor(const PreparedScene& prepared, const PicturePart& part)
     return makePlan(prepared.scene, whole.view, most, part.seen);
 }
 
+std::vector<DrawnPart> drawnParts(const std::vector<PartProgram>& programs, const ViewSettings& view)
+{
+    std::vector<DrawnPart> parts;
+    for (const auto& program : programs) {
+        double pixels = 0.0;
+        for (const auto& r : program.part.rectangles)
+            pixels += static_cast<double>(r.area());
+        parts.push_back({program.part.name, pixels / view.width / view.height, program.part.rectangles.size(),
+                         program.plan, program.shader});
+    }
+    return parts;
+}
+
 } // namespace
 
 Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, const ContextInfo& context)
-    : prepared_(&prepared), view_(view)
+    : Drawing(targetWidth(view), targetHeight(view), view.drawLimit_s), prepared_(&prepared), view_(view)
 {
     const PackedScene& packed = prepared.packed;
     Stopwatch watch;
@@ -44,7 +60,6 @@ Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, cons
     for (const auto& part : parts_)
         plans.push_back(&part.plan);
     device_ = upload(packed, plans);
-    target_ = makeAccumulationTarget(view.width, view.height);
     times_.load = watch.lap_ms();
 
     for (auto& part : parts_) {
@@ -54,11 +69,11 @@ Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, cons
     times_.compile = watch.lap_ms();
 
     for (const auto& part : parts_) {
-        bind(part.program, device_, packed, view.width, view.height);
+        bindTo(part);
         setSamples(part.program, {0, 0}); // adds nothing, yet makes the driver compile
-        drawAdding(target_, 0, 0, 1, 1);
+        drawFirst();
     }
-    glFinish();
+    wait();
     times_.firstDraw = watch.lap_ms();
 }
 
@@ -68,37 +83,48 @@ void Renderer::update(const PreparedScene& prepared)
     uploadNumbers(device_, prepared.packed);
 }
 
-// Rectangles bound the time of a draw, batches its loop iterations.
-void Renderer::submit(const std::function<void(double)>& progress)
+void Renderer::bindTo(const PartProgram& part) const
 {
-    constexpr int most_px = 512;
-    const double total = static_cast<double>(batches_.size()) * view_.width * view_.height;
-    double done = 0.0;
-    const auto drawRectangle = [&](const PixelRectangle& r) {
-        drawAdding(target_, r.x, r.y, r.width, r.height);
-        if (!progress)
-            return;
-        glFinish();
-        done += static_cast<double>(r.width) * r.height;
-        progress(done / total);
-    };
-    clear(target_);
+    bind(part.program, device_, prepared_->packed, {view_.width, view_.height}, {region_.x, region_.y});
+}
+
+// Batches bound a draw's loop iterations, its size the time.
+void Renderer::drawRegion()
+{
     for (const auto& part : parts_) {
-        bind(part.program, device_, prepared_->packed, view_.width, view_.height);
+        bindTo(part);
         for (const auto& batch : batches_) {
             setSamples(part.program, batch);
-            for (const auto& r : part.part.rectangles)
-                for (int y = 0; y < r.height; y += most_px)
-                    for (int x = 0; x < r.width; x += most_px)
-                        drawRectangle({r.x + x, r.y + y, std::min(most_px, r.width - x),
-                                       std::min(most_px, r.height - y)});
+            for (const auto& rectangle : part.part.rectangles)
+                cover(rectangle);
         }
     }
 }
 
-Picture Renderer::read() const
+long Renderer::passes() const
 {
-    return readBack(target_);
+    return static_cast<long>(batches_.size());
+}
+
+PixelCounts Renderer::finish(Picture& picture) const
+{
+    if (view_.view != DataView::none)
+        dataFromSums(picture, view_.view, view_.samples);
+    return meansOfSums(picture, view_.samples);
+}
+
+DrawingFacts Renderer::facts() const
+{
+    const PartProgram& fullest = parts_.back();
+    DrawingFacts facts;
+    facts.shader = fullest.shader;
+    facts.uniforms = keysOf(fullest.program.uniforms);
+    facts.blocks = keysOf(fullest.program.uniformBlocks);
+    facts.parts = drawnParts(parts_, view_);
+    facts.textureBytes = device_.textureBytes;
+    for (const auto& texture : device_.textures)
+        facts.textures.push_back(texture.uniform);
+    return facts;
 }
 
 } // namespace dioptre

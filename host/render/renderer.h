@@ -2,7 +2,6 @@
 #pragma once
 
 #include "gl/context.h"
-#include "gl/target.h"
 #include "render/device_scene.h"
 #include "render/drawing.h"
 #include "render/prepare.h"
@@ -30,29 +29,30 @@ public:
     // is uploaded. `prepared` must outlive the renderer.
     void update(const PreparedScene& prepared);
 
-    // All samples of all pixels.
-    void submit(const std::function<void(double)>& progress = {}) override;
+    // From the sums of the samples in rgb and the rays traced in alpha: means, and alpha 1; of a view its
+    // data.
+    PixelCounts finish(Picture& picture) const override;
 
-    // The sums of the samples in rgb, the rays traced in alpha.
-    Picture read() const override;
+    DrawingFacts facts() const override;
 
     // What each part of the picture is drawn by, the fullest last.
     const std::vector<PartProgram>& parts() const
     {
         return parts_;
     }
-    const DeviceScene& device() const
-    {
-        return device_;
-    }
+
+protected:
+    void drawRegion() override;
+    long passes() const override;
 
 private:
+    void bindTo(const PartProgram& part) const;
+
     const PreparedScene* prepared_;
     ViewSettings view_;
     std::vector<SampleBatch> batches_;
     std::vector<PartProgram> parts_;
     DeviceScene device_;
-    AccumulationTarget target_;
 };
 
 } // namespace dioptre

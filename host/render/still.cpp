@@ -1,32 +1,12 @@
 #include "render/still.h"
 
 #include "base/clock.h"
-#include "base/text.h"
-#include "render/renderer.h"
-#include "render/view_picture.h"
 
 #include <bit>
 #include <cmath>
 
 namespace dioptre
 {
-namespace
-{
-
-std::vector<DrawnPart> drawnParts(const Renderer& renderer, const ViewSettings& view)
-{
-    std::vector<DrawnPart> parts;
-    for (const auto& program : renderer.parts()) {
-        double pixels = 0.0;
-        for (const auto& r : program.part.rectangles)
-            pixels += static_cast<double>(r.width) * r.height;
-        parts.push_back({program.part.name, pixels / view.width / view.height, program.part.rectangles.size(),
-                         program.plan, program.shader});
-    }
-    return parts;
-}
-
-} // namespace
 
 // The finite test by bits, as shaders and fast-math builds would need it.
 std::size_t countNonfinite(const Picture& picture)
@@ -41,51 +21,56 @@ std::size_t countNonfinite(const Picture& picture)
     return count;
 }
 
-void finish(Still& still, float scale, double raysScale)
+PixelCounts meansOfSums(Picture& picture, int samples)
 {
-    double rays = 0.0;
-    auto& values = still.picture.floats;
+    PixelCounts counts;
+    const float scale = 1.0F / static_cast<float>(samples);
+    auto& values = picture.floats;
     for (std::size_t i = 0; i < values.size(); i += 4) {
         for (std::size_t c = 0; c < 3; ++c)
             values[i + c] *= scale;
-        rays += static_cast<double>(values[i + 3]);
+        counts.rays += static_cast<double>(values[i + 3]);
         values[i + 3] = 1.0F;
     }
-    still.raysPerSample = rays * raysScale / (static_cast<double>(values.size()) / 4.0);
-    still.nonfinite = countNonfinite(still.picture);
+    counts.nonfinite = countNonfinite(picture);
+    return counts;
 }
 
-Still drawFrame(Renderer& renderer, const StillSettings& settings)
+namespace
+{
+
+// What is read, and the times of drawing and reading.
+Still drawColumns(Drawing& drawing, const PixelRectangle& region, int widthAtOnce, const Progress& progress)
 {
     Still still;
+    still.picture = blankFloats(region.width, region.height);
     Stopwatch watch;
-    renderer.draw(settings.progress);
-    still.phases.draw = watch.lap_ms();
-    still.picture = renderer.read();
-    if (settings.view != DataView::none)
-        dataFromSums(still.picture, settings.view, settings.samples);
-    finish(still, 1.0F / static_cast<float>(settings.samples), 1.0 / settings.samples);
-    still.phases.read = watch.lap_ms();
+    for (int x = 0; x < region.width; x += widthAtOnce) {
+        const int width = std::min(widthAtOnce, region.width - x);
+        const auto ofAll = [&](double share) { progress((x + share * width) / region.width); };
+        drawing.show({region.x + x, region.y, width, region.height});
+        drawing.draw(progress ? Progress(ofAll) : Progress());
+        still.phases.draw += watch.lap_ms();
+        drawing.readInto(still.picture, x, 0);
+        still.phases.read += watch.lap_ms();
+    }
     return still;
 }
 
-Still renderScene(const PreparedScene& prepared, const StillSettings& settings, const ContextInfo& context)
-{
-    Renderer renderer(prepared, settings, context);
-    Still still = drawFrame(renderer, settings);
-    still.phases.load = renderer.times().load;
-    still.phases.compile = renderer.times().compile;
-    still.phases.firstDraw = renderer.times().firstDraw;
+} // namespace
 
-    const PartProgram& fullest = renderer.parts().back();
-    still.shader = fullest.shader;
-    still.uniforms = keysOf(fullest.program.uniforms);
-    still.blocks = keysOf(fullest.program.uniformBlocks);
-    still.parts = drawnParts(renderer, settings);
-    still.textureBytes = renderer.device().textureBytes;
-    for (const auto& texture : renderer.device().textures)
-        still.textures.push_back(texture.uniform);
+Still drawStill(Drawing& drawing, const PixelRectangle& region, int widthAtOnce, const Progress& progress)
+{
+    Still still = drawColumns(drawing, region, widthAtOnce, progress);
+    Stopwatch watch;
+    still.counts = drawing.finish(still.picture);
+    still.phases.read += watch.lap_ms();
     return still;
+}
+
+Picture drawSums(Drawing& drawing, const PixelRectangle& region, int widthAtOnce)
+{
+    return drawColumns(drawing, region, widthAtOnce, {}).picture;
 }
 
 } // namespace dioptre

@@ -247,7 +247,6 @@ TEST_F(FramesCommand, WhatMakesNoSense_IsRefusedByItsName)
         {"--frames 0:9 --why -o t.png", "--why"},
         {"--frames 0:9 --shader a.frag -o t.png", "--shader"},
         {"--frames 0:9 --resume -o t.mp4", "--resume"},
-        {"--frames 0:9 --resume -o t.hdr", "FILE.exr"},
         {"--frames 0:9 -o t##.mp4", "#"},
         {"--fps 9 -o t.png", "--frames"},
         {"--resume -o t.png", "--frames"},

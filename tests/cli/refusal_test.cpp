@@ -115,7 +115,7 @@ const std::vector<Case> cases = {
      "dioptre render still_life --size 16x9 --shader ./a.png -o a.png",
      2,
      {"a.png", "name two files"}},
-    {"SizeBeyondOneDraw", "", "dioptre render still_life --size 99999x9 -o a.png", 2, {"99999x9", "16384"}},
+    {"SizeBeyondAll", "", "dioptre render still_life --size 999999x9 -o a.png", 2, {"999999x9", "131072"}},
     {"NoSamples", "", "dioptre render still_life --spp 0 -o a.png", 2, {"--spp"}},
     {"TimeOfNonsense", "", "dioptre render orrery --time soon" + small, 2, {"--time"}},
     {"TimeThatIsNoNumber",

@@ -90,7 +90,7 @@ TEST_P(Gallery, EqualRuns_GiveEqualNumbers)
 
 TEST_P(Gallery, EveryPixel_IsFinite)
 {
-    EXPECT_EQ(renderScene(GetParam(), {320, 180, 2, {}, "auto"}).nonfinite, 0U);
+    EXPECT_EQ(renderScene(GetParam(), {320, 180, 2, {}, "auto"}).counts.nonfinite, 0U);
 }
 
 TEST(RayTree, HeaviestFirstAtBudget16_AgreesWithBreadthFirstAt512_OnGlass)

@@ -52,7 +52,7 @@ TEST_P(AnimatedGallery, AtAnyTime_FormsAndPrecisionsAgree)
         expectAlike(literal.picture, loop.picture, "animated-form-" + name);
         expectAlike(literal.picture, renderDouble(GetParam(), requestAt(time_s, "literal")),
                     "animated-double-" + name);
-        EXPECT_EQ(literal.nonfinite, 0U);
+        EXPECT_EQ(literal.counts.nonfinite, 0U);
     }
 }
 

@@ -13,16 +13,16 @@ using namespace dioptre::test;
 namespace
 {
 
-StillSettings smallView(DataView view = DataView::none)
+ViewSettings smallView(DataView view = DataView::none)
 {
-    return {{96, 54, 2, test::glslFolder(), {}, view}, {}};
+    return {96, 54, 2, test::glslFolder(), {}, view};
 }
 
 // One scene at many times, by one renderer.
 class Film
 {
 public:
-    Film(const SceneOverTime& scene, double first_s, const StillSettings& settings)
+    Film(const SceneOverTime& scene, double first_s, const ViewSettings& settings)
         : scene_(scene), settings_(settings), prepared_(prepare(scene(first_s), settings)),
           renderer_(prepared_, settings, contextFor("auto"))
     {
@@ -32,23 +32,23 @@ public:
     {
         moveTo(prepared_, scene_(time_s), settings_);
         renderer_.update(prepared_);
-        return drawFrame(renderer_, settings_).picture.floats;
+        return drawStill(renderer_, {0, 0, settings_.width, settings_.height}, settings_.width)
+            .picture.floats;
     }
 
     std::vector<float> freshAt(double time_s) const
     {
-        return dioptre::renderScene(prepare(scene_(time_s), settings_), settings_, contextFor("auto"))
-            .picture.floats;
+        return test::renderPrepared(prepare(scene_(time_s), settings_), settings_, "auto").picture.floats;
     }
 
 private:
     SceneOverTime scene_;
-    StillSettings settings_;
+    ViewSettings settings_;
     PreparedScene prepared_;
     Renderer renderer_;
 };
 
-void expectEachFrameIsAsFresh(const SceneOverTime& scene, const StillSettings& settings)
+void expectEachFrameIsAsFresh(const SceneOverTime& scene, const ViewSettings& settings)
 {
     Film film(scene, 0.0, settings);
     const auto first = film.freshAt(0.0);

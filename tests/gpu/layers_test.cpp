@@ -23,7 +23,8 @@ constexpr int side = 33;
 std::vector<ExrLayer> layersOf(const std::string& toml, const std::vector<std::string>& names, int samples)
 {
     const ViewSettings view{side, side, samples, glslFolder()};
-    return drawLayers(parseScene(toml, "text.toml"), layersNamed(names), view, contextFor("auto"));
+    return LayerDrawer(parseScene(toml, "text.toml"), layersNamed(names), view, contextFor("auto"))
+        .draw({0, 0, side, side});
 }
 
 // In the middle of the picture, or `right` and `up` of it.

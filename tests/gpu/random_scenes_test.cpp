@@ -26,7 +26,7 @@ TEST(RandomScenes, DrawOnTheDeviceAsInDoublePrecision)
             SCOPED_TRACE("seed " + std::to_string(seed) + ", " + form + "\n" + text);
             ASSERT_NO_THROW({
                 const auto still = renderSceneText(text, request);
-                EXPECT_EQ(still.nonfinite, 0U);
+                EXPECT_EQ(still.counts.nonfinite, 0U);
                 // Rays through random glass and mirrors multiply rounding; a fault of one feature shows on
                 // whole areas.
                 const auto difference = compare(still.picture, twice, 0.02);

@@ -225,10 +225,9 @@ public:
     // What drawing with them ends with; "" where it ends well.
     std::string error() const
     {
-        const StillSettings settings{{16, 9, 1, folder_}, {}};
+        const ViewSettings settings{16, 9, 1, folder_};
         try {
-            renderScene(prepare(loadScene(galleryScenes().front(), {}), settings), settings,
-                        contextFor("auto"));
+            renderPrepared(prepare(loadScene(galleryScenes().front(), {}), settings), settings, "auto");
             return "";
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ExitCode::badInput);

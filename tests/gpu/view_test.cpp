@@ -242,10 +242,10 @@ TEST(Views, OfEveryGalleryScene_AreValidShaders_AndFedWhatTheyRead)
                 const auto how =
                     std::string(rowOf(view).name) + (overrides.empty() ? "" : " " + overrides.front());
                 SCOPED_TRACE(scene.string() + " " + how);
-                Still still;
+                Rendered still;
                 ASSERT_NO_THROW(still = test::renderScene(scene, {16, 9, 1, overrides, "auto", 0.0, view}));
                 EXPECT_TRUE(still.textures.empty());
-                EXPECT_EQ(still.nonfinite, 0U);
+                EXPECT_EQ(still.counts.nonfinite, 0U);
                 shaders[how + ".frag"] = flatten(still.shader);
             }
         EXPECT_EQ(complaints(shaders), "") << scene;
@@ -261,7 +261,7 @@ TEST(Views, OfRandomScenes_AreFedWhatTheyRead)
             SCOPED_TRACE(std::string(rowOf(view).name) + " of seed " + std::to_string(seed) + "\n" + text);
             const char* form = seed % 2 == 0 ? "trace.form=literal" : "trace.form=loop";
             ASSERT_NO_THROW(
-                EXPECT_EQ(renderSceneText(text, {8, 6, 1, {form}, "auto", 0.0, view}).nonfinite, 0U));
+                EXPECT_EQ(renderSceneText(text, {8, 6, 1, {form}, "auto", 0.0, view}).counts.nonfinite, 0U));
         }
     }
 }

@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "kernel/reference.h"
+#include "render/renderer.h"
 #include "scene/load.h"
 
 #include <algorithm>
@@ -13,22 +14,21 @@ namespace dioptre::test
 namespace
 {
 
-StillSettings settingsOf(const Request& request)
+ViewSettings settingsOf(const Request& request)
 {
-    return {{request.width, request.height, request.samples, glslFolder(), {}, request.view}, {}};
+    return {request.width, request.height, request.samples, glslFolder(), {}, request.view};
 }
 
-Still renderLoaded(const Scene& scene, const Request& request)
+Rendered renderLoaded(const Scene& scene, const Request& request)
 {
     const auto settings = settingsOf(request);
-    const auto& context = contextFor(request.backend);
-    return dioptre::renderScene(prepare(scene, settings), settings, context);
+    return renderPrepared(prepare(scene, settings), settings, request.backend);
 }
 
 Picture renderLoadedDouble(const Scene& scene, const Request& request)
 {
     return renderReference(prepare(scene, settingsOf(request)).packed, request.width, request.height,
-                           request.samples);
+                           request.samples, {0, 0, request.width, request.height});
 }
 
 // Where a scene given as text is taken to lie: it finds the gallery's pictures.
@@ -72,12 +72,23 @@ const ContextInfo& contextFor(const std::string& backend)
     return current.second->info();
 }
 
-Still renderScene(const std::filesystem::path& scene, const Request& request)
+Rendered renderPrepared(const PreparedScene& prepared, const ViewSettings& settings,
+                        const std::string& backend)
+{
+    Renderer renderer(prepared, settings, contextFor(backend));
+    const PixelRectangle whole{0, 0, settings.width, settings.height};
+    Still still = drawStill(renderer, whole, targetWidth(settings));
+    Rendered rendered{renderer.facts(), std::move(still.picture), still.counts, 0.0};
+    rendered.raysPerSample = still.counts.rays / static_cast<double>(whole.area()) / settings.samples;
+    return rendered;
+}
+
+Rendered renderScene(const std::filesystem::path& scene, const Request& request)
 {
     return renderLoaded(loadScene(scene, request.overrides, request.time_s), request);
 }
 
-Still renderSceneText(const std::string& toml, const Request& request)
+Rendered renderSceneText(const std::string& toml, const Request& request)
 {
     return renderLoaded(parseScene(toml, besideTheGallery, request.overrides, request.time_s), request);
 }

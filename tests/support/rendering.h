@@ -1,6 +1,9 @@
 // Pictures for tests, without the command line.
 #pragma once
 
+#include "gl/context.h"
+#include "render/drawing.h"
+#include "render/prepare.h"
 #include "render/still.h"
 
 #include <string>
@@ -19,6 +22,13 @@ struct Request {
     DataView view = DataView::none;
 };
 
+// A picture, and what drew it.
+struct Rendered : DrawingFacts {
+    Picture picture;
+    PixelCounts counts;
+    double raysPerSample = 0.0;
+};
+
 // glsl/ of the sources, or $DIOPTRE_GLSL where set: mutants put their own there.
 std::filesystem::path glslFolder();
 
@@ -29,8 +39,11 @@ std::vector<std::filesystem::path> galleryScenes();
 std::vector<std::string> ownPictures(const std::filesystem::path& scene);
 
 // On the device; one context is kept between calls and remade when the backend changes.
-Still renderScene(const std::filesystem::path& scene, const Request& request);
-Still renderSceneText(const std::string& toml, const Request& request);
+Rendered renderScene(const std::filesystem::path& scene, const Request& request);
+Rendered renderSceneText(const std::string& toml, const Request& request);
+
+Rendered renderPrepared(const PreparedScene& prepared, const ViewSettings& settings,
+                        const std::string& backend);
 
 // In double precision by the reference.
 Picture renderDouble(const std::filesystem::path& scene, const Request& request);

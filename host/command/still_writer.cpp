@@ -1,7 +1,6 @@
-#include "command/write_still.h"
+#include "command/still_writer.h"
 
 #include "base/text.h"
-#include "command/video.h"
 #include "render/layers.h"
 #include "scene/choices.h"
 
@@ -98,10 +97,11 @@ void refuseBadLayers(const RenderOptions& options, PictureKind kind, bool plainS
              "leave one of them out");
 }
 
-void addView(Settings& settings, const RenderOptions& options, const ShownView& shown)
+void addView(Settings& settings, const RenderOptions& options, const ViewLegend* legend)
 {
     settings["dioptre.view"] = options.view;
-    settings["dioptre.legend"] = join(shown.legend.lines, "\n");
+    if (legend != nullptr)
+        settings["dioptre.legend"] = join(legend->lines, "\n");
 }
 
 // Only what differs from radiance 1 as white and sRGB.
@@ -116,30 +116,86 @@ void addDisplay(Settings& settings, const Display& display)
         settings["dioptre.gamma"] = fmt::format("{}", *display.gamma);
 }
 
-// Hands the numbers of a PNG to `take`, with the form that they are to be given.
-template <typename Take>
-auto display(const StillContent& content, int bits, Take take)
+// How numbers become what a display is sent.
+PngForm pngFormOf(const StillForm& form, int bits)
 {
-    PngForm form{.encode = false, .gamma = {}, .bits = bits};
-    if (content.shown != nullptr)
-        return take(content.shown->picture, form);
-    if (content.display == nullptr)
-        return take(content.still.picture, form);
-    form.encode = true;
-    form.gamma = content.display->gamma;
-    if (content.display->exposure == 0.0 && content.display->curve == ToneCurve::none)
-        return take(content.still.picture, form); // spares a copy
-    return take(toned(content.still.picture, *content.display), form);
+    PngForm png{.encode = false, .gamma = {}, .bits = bits};
+    if (form.isShownView || !form.display)
+        return png;
+    png.encode = true;
+    png.gamma = form.display->gamma;
+    return png;
 }
 
-void writeDisplayed(const RenderOptions& options, const StillContent& content, Settings settings)
+// Hands what a display is to be sent to `take`, unencoded.
+template <typename Take>
+void displayed(const Picture& band, const StillForm& form, Take take)
 {
-    if (content.shown == nullptr && content.display != nullptr)
-        addDisplay(settings, *content.display);
-    display(content, options.bits == 16 ? 16 : 8, [&](const Picture& picture, const PngForm& form) {
-        writePng(options.output, picture, form, settings);
-    });
+    const bool plain = form.isShownView || !form.display ||
+                       (form.display->exposure == 0.0 && form.display->curve == ToneCurve::none);
+    if (plain)
+        take(band); // spares a copy
+    else
+        take(toned(band, *form.display));
 }
+
+class StillFile final : public StillWriter
+{
+public:
+    StillFile(const RenderOptions& options, const StillForm& form, int height)
+        : form_(form), kind_(kindOf(options.output))
+    {
+        Settings settings = settingsOf(options, form.context);
+        if (!options.view.empty())
+            addView(settings, options, form.legend);
+        const PngForm png = pngFormOf(form, options.bits == 16 ? 16 : 8);
+        if (kind_ == PictureKind::png && png.encode)
+            addDisplay(settings, *form.display);
+        if (kind_ == PictureKind::png)
+            file_ = openPng(options.output, options.width, height, png, settings);
+        else if (kind_ == PictureKind::radiance)
+            file_ = openRadiance(options.output, options.width, height, settings);
+        else
+            file_ = openExr(options.output, options.width, height,
+                            options.half ? ExrDepth::half : ExrDepth::full, settings, form.layers);
+    }
+
+    void add(const Picture& band, const std::vector<ExrLayer>& layers) override
+    {
+        if (kind_ == PictureKind::png)
+            displayed(band, form_, [this](const Picture& picture) { file_->add(picture); });
+        else
+            file_->add(band, layers);
+    }
+
+    void finish() override
+    {
+        file_->finish();
+    }
+
+private:
+    StillForm form_;
+    PictureKind kind_;
+    std::unique_ptr<PictureWriter> file_;
+};
+
+class VideoFrame final : public StillWriter
+{
+public:
+    VideoFrame(Video& video, const StillForm& form) : video_(video), form_(form) {}
+
+    void add(const Picture& band, const std::vector<ExrLayer>&) override
+    {
+        displayed(band, form_,
+                  [this](const Picture& picture) { video_.add(topDownBytes(picture, pngFormOf(form_, 8))); });
+    }
+
+    void finish() override {}
+
+private:
+    Video& video_;
+    StillForm form_;
+};
 
 } // namespace
 
@@ -182,31 +238,21 @@ Settings settingsOf(const RenderOptions& options, const ContextInfo& context)
         settings["dioptre.set"] = join(options.overrides, " ");
     if (!options.layers.empty())
         settings["dioptre.layers"] = join(options.layers, ",");
+    if (!options.tile.empty())
+        settings["dioptre.tile"] = options.tile;
     if (!options.settingsHash.empty())
         settings["dioptre.hash"] = options.settingsHash;
     return settings;
 }
 
-std::vector<std::uint8_t> displayedBytes(const StillContent& content)
+std::unique_ptr<StillWriter> openStill(const RenderOptions& options, const StillForm& form, int height)
 {
-    return display(content, 8,
-                   [](const Picture& picture, const PngForm& form) { return topDownBytes(picture, form); });
+    return std::make_unique<StillFile>(options, form, height);
 }
 
-void writeStill(const RenderOptions& options, const StillContent& content)
+std::unique_ptr<StillWriter> openFrame(Video& video, const StillForm& form)
 {
-    Settings settings = settingsOf(options, content.context);
-    if (content.shown != nullptr)
-        addView(settings, options, *content.shown);
-    switch (kindOf(options.output)) {
-    case PictureKind::png:
-        return writeDisplayed(options, content, settings);
-    case PictureKind::radiance:
-        return writeRadiance(options.output, content.still.picture, settings);
-    case PictureKind::exr:
-        return writeExr(options.output, content.still.picture, options.half ? ExrDepth::half : ExrDepth::full,
-                        settings, content.layers);
-    }
+    return std::make_unique<VideoFrame>(video, form);
 }
 
 } // namespace dioptre

@@ -1,0 +1,188 @@
+#include "command/picture_drawer.h"
+
+#include "base/clock.h"
+#include "base/file.h"
+#include "base/text.h"
+#include "command/plain_options.h"
+#include "kernel/reference.h"
+#include "render/assemble.h"
+
+#include <fmt/format.h>
+
+#include <future>
+
+namespace dioptre
+{
+
+namespace
+{
+
+constexpr int mostColumns = 8192; // that are drawn at once; every driver can, and it is a multiple of 64
+
+ViewSettings viewSettingsOf(const RenderOptions& options, int rowsAtOnce)
+{
+    ViewSettings settings{options.width, options.height, options.samples,
+                          glslFolder(),  pictureCache(), dataViewNamed(options.view)};
+    settings.widthAtOnce = mostColumns;
+    settings.heightAtOnce = rowsAtOnce;
+    settings.drawLimit_s = options.drawLimit_s;
+    return settings;
+}
+
+void refuseEditedShader(const std::filesystem::path& glsl)
+{
+    if (shaderFingerprint(glsl) != compiledShaderFingerprint())
+        fail(ExitCode::badInput, glsl.string() + " was edited after the reference was compiled from it",
+             "build again: the reference speaks only for the sources that it was made from");
+}
+
+} // namespace
+
+PictureDrawer::PictureDrawer(const RenderOptions& options, const Input& input, double first_s, int rowsAtOnce)
+    : input_(input), settings_(viewSettingsOf(options, rowsAtOnce)),
+      text_(readFile(input.path)), context_{"reference", "double precision on the CPU", "", true}
+{
+    if (input.plainShader) {
+        plain_ = plainSettings(options);
+        if (!options.frames.empty())
+            plain_.frame.rate = options.fps;
+        plain_.frame.time_s = first_s;
+        startVariablesAtZero();
+    }
+    Stopwatch watch;
+    std::future<PreparedScene> preparing; // beside the making of the context
+    if (!input.plainShader) {
+        scene_ = parseSceneOverTime(text_, input.path, options.overrides);
+        preparing = std::async(std::launch::async, [scene = scene_(first_s), settings = settings_] {
+            return prepare(scene, settings);
+        });
+    }
+    made_.load = watch.lap_ms();
+    if (options.reference) {
+        refuseEditedShader(settings_.glslFolder);
+    } else {
+        glContext_ = makeContext(options.backend);
+        context_ = glContext_->info();
+        made_.context = watch.lap_ms();
+    }
+    if (preparing.valid())
+        prepared_ = preparing.get();
+    made_.load += watch.lap_ms(); // what the making of the context did not hide
+    if (!options.reference)
+        makeRenderers(options);
+}
+
+void PictureDrawer::makeRenderers(const RenderOptions& options)
+{
+    settings_.widthAtOnce = std::min(mostColumns, longestTargetSide());
+    if (input_.plainShader) {
+        plainRenderer_ = std::make_unique<PlainRenderer>(input_.path, settings_, plain_, context_);
+        return addTimes(plainRenderer_->times());
+    }
+    renderer_ = std::make_unique<Renderer>(*prepared_, settings_, context_);
+    addTimes(renderer_->times());
+    if (!options.layers.empty())
+        layers_ =
+            std::make_unique<LayerDrawer>(prepared_->scene, layersNamed(options.layers), settings_, context_);
+}
+
+void PictureDrawer::addTimes(const BuildTimes& times)
+{
+    made_.load += times.load;
+    made_.compile = times.compile;
+    made_.firstDraw = times.firstDraw;
+}
+
+DrawingFacts PictureDrawer::facts() const
+{
+    return plainRenderer_ ? plainRenderer_->facts() : renderer_ ? renderer_->facts() : DrawingFacts{};
+}
+
+std::vector<std::string> PictureDrawer::layerChannels() const
+{
+    return layers_ ? layers_->channels() : std::vector<std::string>{};
+}
+
+void PictureDrawer::moveTo(double time_s)
+{
+    if (plainRenderer_) {
+        plain_.frame.time_s = time_s;
+        return plainRenderer_->moveTo(plain_.frame);
+    }
+    dioptre::moveTo(*prepared_, scene_(time_s), settings_);
+    if (renderer_)
+        renderer_->update(*prepared_);
+}
+
+Still PictureDrawer::drawReference(const PixelRectangle& rows) const
+{
+    Still still;
+    Stopwatch watch;
+    still.picture =
+        renderReference(prepared_->packed, settings_.width, settings_.height, settings_.samples, rows);
+    still.counts = meansOfSums(still.picture, 1);
+    still.counts.rays *= settings_.samples; // a sample's mean until here
+    still.phases.draw = watch.lap_ms();
+    return still;
+}
+
+PictureDrawer::Band PictureDrawer::draw(const PixelRectangle& rows, const Progress& progress)
+{
+    if (!plainRenderer_ && !renderer_)
+        return {drawReference(rows), {}};
+    Drawing& drawing = plainRenderer_ ? static_cast<Drawing&>(*plainRenderer_) : *renderer_;
+    Band band{drawStill(drawing, rows, settings_.widthAtOnce, progress), {}};
+    Stopwatch watch;
+    if (layers_)
+        band.layers = layers_->draw(rows);
+    band.still.phases.draw += watch.lap_ms();
+    return band;
+}
+
+namespace
+{
+
+void addPictures(std::string& all, const PreparedScene& prepared)
+{
+    std::vector<std::string> paths;
+    for (const auto& picture : prepared.plan.pictures)
+        paths.push_back(picture.path);
+    if (prepared.plan.has("sky picture"))
+        paths.push_back(prepared.scene.sky.image);
+    for (const auto& path : paths)
+        if (!path.empty())
+            all += fmt::format("{} {:016x}\n", path, fingerprint(readFile(path)));
+}
+
+} // namespace
+
+std::string PictureDrawer::plainSources() const
+{
+    std::string all = flatten(plainRenderer_->text());
+    all += fmt::format("{} frames a second\n", plain_.frame.rate);
+    for (const auto& channel : plain_.channels) {
+        all += fmt::format("{} {} {} {}\n", static_cast<int>(channel.filter), static_cast<int>(channel.wrap),
+                           channel.flip, channel.cross);
+        for (const auto& file : channel.files)
+            all += fmt::format("{} {:016x}\n", file, fingerprint(readFile(file)));
+    }
+    return all;
+}
+
+unsigned long long PictureDrawer::sourcesFingerprint() const
+{
+    std::string all = text_ + "\n";
+    if (prepared_)
+        addPictures(all, *prepared_);
+    if (renderer_)
+        for (const auto& part : renderer_->parts())
+            all += flatten(part.shader) +
+                   flatten(assembleVertex(part.plan, prepared_->packed, settings_.glslFolder));
+    if (input_.plainShader)
+        all += plainSources();
+    if (!input_.plainShader && !renderer_)
+        all += fmt::format("{:016x}\n", compiledShaderFingerprint());
+    return fingerprint(all);
+}
+
+} // namespace dioptre
