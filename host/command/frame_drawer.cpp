@@ -99,8 +99,9 @@ std::string FrameDrawer::plainSources() const
     std::string all = flatten(plainRenderer_->text());
     all += fmt::format("{} frames a second\n", plain_.frame.rate);
     for (const auto& channel : plain_.channels) {
-        all += fmt::format("{} {} {} {}\n", static_cast<int>(channel.filter), static_cast<int>(channel.wrap),
-                           channel.flip, channel.cross);
+        all += fmt::format("{} {} {} {}\n", static_cast<int>(channel.filter),
+                           static_cast<int>(channel.wrap.value_or(TextureWrap::repeat)),
+                           channel.flip.value_or(channel.kind() == ChannelKind::picture), channel.cross);
         for (const auto& file : channel.files)
             all += fmt::format("{} {:016x}\n", file, fingerprint(readFile(file)));
     }
