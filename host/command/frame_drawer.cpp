@@ -17,7 +17,8 @@ namespace dioptre
 
 FrameDrawer::FrameDrawer(const RenderOptions& options, const Input& input, double first_s)
     : input_(input), settings_(stillSettingsOf(options)),
-      text_(readFile(input.path)), context_{"reference", "double precision on the CPU", "", true}
+      text_(input.plainShader ? readFile(input.path) : readSceneText(input.path)),
+      context_{"reference", "double precision on the CPU", "", true}
 {
     if (input.plainShader) {
         plain_ = plainSettings(options);
