@@ -43,7 +43,7 @@ const std::vector<Forged>& forgedPictures()
         {"PngOfAFewDeepBytes", "b.png", forgedPng(16384, 8192, 16), "takes 260111 bytes or more"},
         {"PngCutShort", "b.png", blackPng(640, 480).substr(0, 100), "broken or cut short"},
         {"PngBomb", "b.png", blackPng(16384, 16384), limit},
-        {"PngWithABombOfText", "b.png", pngWithText(std::size_t{100} << 20), "broken"},
+        {"PngWithABombOfText", "b.png", pngWithText(std::size_t{72} << 20), "broken"},
         {"JpegOf65500", "b.jpg", forgedJpeg(65500, 65500), limit},
         {"JpegOfAFewBytes", "b.jpg", forgedJpeg(16384, 8192), "takes 65536 bytes or more"},
         {"JpegWithoutHeight", "b.jpg", forgedJpeg(640, 0), "header"},
