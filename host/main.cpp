@@ -6,15 +6,24 @@
 
 #include <cstdio>
 #include <exception>
+#include <system_error>
 
 namespace
 {
 
 dioptre::ExitCode run(int count, char** arguments)
 {
-    const auto code = dioptre::runCommandLine({arguments + 1, arguments + count});
-    if (!dioptre::standardOutputTaken())
-        dioptre::fail(dioptre::ExitCode::cannotWrite, "standard output takes no more",
+    auto code = dioptre::ExitCode::cannotWrite;
+    try {
+        code = dioptre::runCommandLine({arguments + 1, arguments + count});
+    } catch (const std::system_error&) { // the formatter's, where a stream took not even its buffer's worth
+        if (std::ferror(stdout) == 0 && std::ferror(stderr) == 0)
+            throw;
+    }
+    const bool taken = dioptre::standardOutputTaken();
+    if (!taken || std::ferror(stderr) != 0)
+        dioptre::fail(dioptre::ExitCode::cannotWrite,
+                      taken ? "standard error takes no more" : "standard output takes no more",
                       "make room where it goes, or do not close it");
     return code;
 }

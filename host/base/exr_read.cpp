@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "base/exr_header.h"
 #include "base/picture_codecs.h"
 #include "base/text.h"
 
@@ -66,16 +67,19 @@ Picture readDataWindow(const std::filesystem::path& path, Imf::InputFile& file)
 // lies outside is cropped.
 Picture readDisplayWindow(const std::filesystem::path& path, const std::string& bytes)
 {
+    checkExrHeaders(path, bytes);
     Imf::StdISStream stream;
     stream.str(bytes);
     Imf::InputFile file(stream);
     const Imath::Box2i display = file.header().displayWindow();
     const Imath::Box2i window = file.header().dataWindow();
-    Picture picture = blankPicture(path, length(display.min.x, display.max.x),
-                                   length(display.min.y, display.max.y), PixelFormat::float32);
+    if (!file.isComplete())
+        failBroken(path, "not all of its rows are there");
     Picture data = readDataWindow(path, file);
     if (window == display)
         return data;
+    Picture picture = blankPicture(path, length(display.min.x, display.max.x),
+                                   length(display.min.y, display.max.y), PixelFormat::float32);
     const int left = std::max(display.min.x, window.min.x), right = std::min(display.max.x, window.max.x);
     const int top = std::max(display.min.y, window.min.y), bottom = std::min(display.max.y, window.max.y);
     const auto at = [](const Picture& of, const Imath::Box2i& box, int x, int y) {

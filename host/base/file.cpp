@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
-#include <sstream>
 #include <system_error>
 #include <unistd.h>
 
@@ -42,6 +42,16 @@ fs::path createBeside(const fs::path& target)
     }
 }
 
+constexpr int mostLinks = 40; // from one to the next, as Linux has it
+
+// Twice what the largest picture has in floats: none that can be read is refused.
+constexpr std::uintmax_t mostBytes = std::uintmax_t{4} << 30;
+
+[[noreturn]] void refuseSize(const fs::path& path)
+{
+    fail(ExitCode::badInput, {path.string()}, "is too large", "name a file of at most 4 GiB");
+}
+
 } // namespace
 
 std::string readFile(const fs::path& path)
@@ -49,15 +59,28 @@ std::string readFile(const fs::path& path)
     std::error_code ignored;
     if (fs::is_directory(path, ignored))
         fail(ExitCode::inputMissing, {path.string()}, "is a folder", "name a file in it");
+    // Those of the kind of /dev/zero never end.
+    if (fs::is_character_file(path, ignored) || fs::is_block_file(path, ignored))
+        fail(ExitCode::inputMissing, {path.string()}, "is a device", "name a file");
+    const bool sized = fs::is_regular_file(path, ignored);
+    const std::uintmax_t size = sized ? fs::file_size(path, ignored) : 0;
+    if (sized && !ignored && size > mostBytes)
+        refuseSize(path);
     errno = 0;
     std::ifstream in(path, std::ios::binary);
-    std::ostringstream bytes;
-    if (in.is_open())
-        bytes << in.rdbuf();
+    std::string bytes;
+    bytes.reserve(sized && !ignored ? size : 0);
+    std::string block(1U << 18, '\0');
+    while (in && bytes.size() <= mostBytes) { // a pipe does not tell its size, and one in /proc tells 0
+        in.read(block.data(), static_cast<std::streamsize>(block.size()));
+        bytes.append(block, 0, static_cast<std::size_t>(in.gcount()));
+    }
     if (!in.is_open() || in.bad())
         fail(ExitCode::inputMissing, {path.string()},
              fmt::format("cannot be read ({})", std::strerror(errno != 0 ? errno : EIO)), "check the path");
-    return std::move(bytes).str();
+    if (bytes.size() > mostBytes)
+        refuseSize(path);
+    return bytes;
 }
 
 // A link is followed, so that the file behind it is replaced and not the link; devices are refused, since the
@@ -65,8 +88,11 @@ std::string readFile(const fs::path& path)
 PendingFile::PendingFile(fs::path target) : target_(std::move(target))
 {
     std::error_code ignored;
-    if (fs::is_symlink(target_, ignored))
-        target_ = fs::weakly_canonical(target_);
+    for (int links = 0; fs::is_symlink(target_, ignored); ++links) {
+        if (links == mostLinks)
+            failToWrite(target_, "a circle of links");
+        target_ = target_.parent_path() / fs::read_symlink(target_, ignored);
+    }
     const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, ignored))
         fail(ExitCode::cannotWrite, {target_.string()}, fmt::format("there is no folder {}", folder.string()),

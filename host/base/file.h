@@ -7,7 +7,7 @@
 namespace dioptre
 {
 
-// The file's bytes. Throws inputMissing when it cannot be read.
+// The file's bytes. Throws inputMissing when it cannot be read or is a device, badInput beyond 4 GiB.
 std::string readFile(const std::filesystem::path& path);
 
 // A temporary name beside `target`; the file written there is renamed to `target` by commit(), and removed if

@@ -4,6 +4,7 @@
 #include "base/picture.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -18,8 +19,15 @@ Picture decodeJpeg(const std::filesystem::path& path, const std::string& bytes, 
 Picture decodeRadiance(const std::filesystem::path& path, const std::string& bytes);
 Picture decodeExr(const std::filesystem::path& path, const std::string& bytes);
 
-// A picture of the right size, all zero. Throws badInput for more than 16384 texels on a side: no device
-// takes them, and the header of a broken file must not claim all memory.
+// Throws badInput for more than 16384 texels on a side, which no device takes, and for more than 16384 * 8192
+// in all: a sky of the largest side. A small file must not claim all memory.
+void checkSize(const std::filesystem::path& path, long long width, long long height);
+
+// Throws badInput where a file holds fewer bytes than its format could bring its picture down to: what a
+// header claims is doubted before memory is taken for it.
+void checkHolds(const std::filesystem::path& path, std::uintmax_t bytes, std::uintmax_t least);
+
+// A picture of the right size, all zero. Throws as checkSize().
 Picture blankPicture(const std::filesystem::path& path, long long width, long long height,
                      PixelFormat format);
 

@@ -34,14 +34,26 @@ void failBroken(const std::filesystem::path& path, std::string_view what)
          "fetch or save the picture again");
 }
 
-Picture blankPicture(const std::filesystem::path& path, long long width, long long height, PixelFormat format)
+void checkSize(const std::filesystem::path& path, long long width, long long height)
 {
-    constexpr long long longestSide = 16384;
+    constexpr long long longestSide = 16384, mostTexels = longestSide * 8192;
     if (width < 1 || height < 1)
         failBroken(path, fmt::format("its size is {}x{}", width, height));
-    if (width > longestSide || height > longestSide)
+    if (width > longestSide || height > longestSide || width * height > mostTexels)
         fail(ExitCode::badInput, {path.string()}, fmt::format("is too large ({}x{} texels)", width, height),
-             fmt::format("scale it down to at most {} on a side", longestSide));
+             fmt::format("scale it down to at most {} texels on a side and {} in all, as {}x{} has",
+                         longestSide, mostTexels, longestSide, mostTexels / longestSide));
+}
+
+void checkHolds(const std::filesystem::path& path, std::uintmax_t bytes, std::uintmax_t least)
+{
+    if (bytes < least)
+        failBroken(path, fmt::format("its size takes {} bytes or more, and it holds {}", least, bytes));
+}
+
+Picture blankPicture(const std::filesystem::path& path, long long width, long long height, PixelFormat format)
+{
+    checkSize(path, width, height);
     Picture picture{static_cast<int>(width), static_cast<int>(height), format, {}, {}};
     const std::size_t numbers = rowLength(picture) * static_cast<std::size_t>(height);
     if (format == PixelFormat::float32)

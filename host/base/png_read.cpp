@@ -17,6 +17,9 @@ public:
     PngReader(const std::filesystem::path& path, const std::string& bytes)
         : path_(path), context_(spng_ctx_new(0), &spng_ctx_free)
     {
+        // Compressed text and profiles are unpacked beside the pixels, to any size.
+        constexpr std::size_t mostBesidePixels = std::size_t{64} << 20;
+        check(spng_set_chunk_limits(context_.get(), mostBesidePixels, mostBesidePixels));
         check(spng_set_png_buffer(context_.get(), bytes.data(), bytes.size()));
     }
 
@@ -64,12 +67,24 @@ void linearise(const std::vector<std::uint16_t>& encoded, bool linear, std::vect
     }
 }
 
+// Deflate packs at best 1032 bytes into one.
+void checkHeader(const std::filesystem::path& path, const spng_ihdr& header, std::uintmax_t fileBytes)
+{
+    checkSize(path, header.width, header.height);
+    const std::uintmax_t channels = header.color_type == SPNG_COLOR_TYPE_TRUECOLOR         ? 3
+                                    : header.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA ? 4
+                                    : header.color_type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA ? 2
+                                                                                           : 1;
+    checkHolds(path, fileBytes, channels * header.bit_depth * header.width / 8 * header.height / 1032);
+}
+
 } // namespace
 
 Picture decodePng(const std::filesystem::path& path, const std::string& bytes, Encoding encoding)
 {
     const PngReader reader(path, bytes);
     const spng_ihdr header = reader.header();
+    checkHeader(path, header, bytes.size());
     const bool linear =
         encoding == Encoding::linear || (encoding == Encoding::automatic && reader.saysLinear());
     const bool deep = header.bit_depth == 16;

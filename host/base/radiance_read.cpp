@@ -29,6 +29,9 @@ public:
         long long width = 0, height = 0;
         if (std::sscanf(size.c_str(), "-Y %lld +X %lld", &height, &width) != 2)
             failBroken(path_, "its size line must read -Y height +X width");
+        checkSize(path_, width, height);
+        // A row takes a texel, and a run of it where there are more.
+        checkHolds(path_, bytes_.size() - at_, static_cast<std::uintmax_t>(height) * (width > 1 ? 8 : 4));
         return blankPicture(path_, width, height, PixelFormat::float32);
     }
 

@@ -46,7 +46,7 @@ double raysPerPixel(const BenchDrawing& drawn, const std::string& name)
 void timeFrames(const std::vector<BenchInput>& inputs, const BenchOptions& options, BenchResult& result,
                 std::vector<BenchRow>& rows)
 {
-    const ViewSettings view{options.width, options.height, options.samples, glslFolder()};
+    const ViewSettings view{options.width, options.height, options.samples.value_or(1), glslFolder()};
     if (std::ranges::any_of(inputs, &BenchInput::plainShader))
         startVariablesAtZero();
     const auto context = makeContext(options.backend);
@@ -69,6 +69,21 @@ void timeFrames(const std::vector<BenchInput>& inputs, const BenchOptions& optio
     result.warmUpFrames = rounds.warmUp;
 }
 
+void refuseBadOptions(const BenchOptions& options, const std::vector<BenchInput>& inputs)
+{
+    if (options.samples && std::ranges::all_of(inputs, &BenchInput::plainShader))
+        fail(ExitCode::usage,
+             fmt::format("--spp {} is for scenes, and {} is a plain shader, asked once for each pixel",
+                         *options.samples, inputs.front().name),
+             "leave it out, or name a scene too");
+    for (const auto& input : inputs)
+        if (!input.plainShader)
+            sceneOf(input); // its faults are told before anything is measured
+    if (options.python && inputs.front().plainShader)
+        fail(ExitCode::usage, inputs.front().name + " is a plain shader, and --python traces scenes",
+             "put a scene first, or leave --python out");
+}
+
 } // namespace
 
 ExitCode bench(const BenchOptions& options)
@@ -78,17 +93,12 @@ ExitCode bench(const BenchOptions& options)
         inputs.push_back(readBenchInput(text));
     if (options.coldStart)
         return startCold(inputs.front(), options);
-    for (const auto& input : inputs)
-        if (!input.plainShader)
-            sceneOf(input); // its faults are told before anything is measured
-    if (options.python && inputs.front().plainShader)
-        fail(ExitCode::usage, inputs.front().name + " is a plain shader, and --python traces scenes",
-             "put a scene first, or leave --python out");
+    refuseBadOptions(options, inputs);
 
     BenchResult result;
     result.width = options.width;
     result.height = options.height;
-    result.samples = options.samples;
+    result.samples = options.samples.value_or(1);
     if (options.python)
         result.plainTracer = runPlainTracer(inputs.front(), options);
     inputs.push_back(inputs.front()); // the control

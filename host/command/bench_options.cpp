@@ -22,9 +22,11 @@ void addBench(CLI::App& app, BenchOptions& options)
             "width and height in pixels")
         ->type_name("WxH")
         ->default_str("400x400");
-    command->add_option("--spp", options.samples, "samples a pixel in a frame")
+    command
+        ->add_option("--spp", options.samples,
+                     "samples a pixel in a frame of a scene; plain shaders are asked once")
         ->check(CLI::Range(1, 65536))
-        ->capture_default_str();
+        ->default_str("1");
     command
         ->add_option("--frames", options.frames,
                      "frames of each input [30, or those that 20 s an input allow, but 6]")

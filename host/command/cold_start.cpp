@@ -48,10 +48,10 @@ std::string messageIn(const std::string& error)
 void startOnce(const BenchInput& input, const BenchOptions& options, BenchRow& row)
 {
     const std::string size = fmt::format("{}x{}", options.width, options.height);
-    const auto outcome =
-        runChild({"/proc/self/exe", "bench", "--cold-start", "--size", size, "--spp",
-                  std::to_string(options.samples), "--backend", options.backend, "--", input.name},
-                 withoutDiskCache);
+    const auto outcome = runChild({"/proc/self/exe", "bench", "--cold-start", "--size", size, "--spp",
+                                   std::to_string(options.samples.value_or(1)), "--backend", options.backend,
+                                   "--", input.name},
+                                  withoutDiskCache);
     if (!outcome)
         fail(ExitCode::retry, "the program cannot start itself again",
              "see whether memory or processes are short");
@@ -68,7 +68,7 @@ void startOnce(const BenchInput& input, const BenchOptions& options, BenchRow& r
 
 ExitCode startCold(const BenchInput& input, const BenchOptions& options)
 {
-    const ViewSettings view{options.width, options.height, options.samples, glslFolder()};
+    const ViewSettings view{options.width, options.height, options.samples.value_or(1), glslFolder()};
     if (input.plainShader)
         startVariablesAtZero();
     const auto context = makeContext(options.backend);

@@ -52,7 +52,7 @@ struct BenchOptions {
     std::vector<std::string> inputs; // SCENE or SCENE@path=value,…; the first is what the others are held to
     int width = 400;                 // pixels
     int height = 400;                // pixels
-    int samples = 1;                 // a pixel, in each frame
+    std::optional<int> samples;      // a pixel, in each frame of a scene; 1 where unset
     int frames = 0;                  // of each input; 0: as many as a time allows, up to 30
     int coldStarts = 5;              // of each input, each in a process of its own
     std::string backend = "auto";

@@ -22,8 +22,12 @@ std::string environment(const char* name)
 
 std::filesystem::path glslFolder()
 {
-    if (const auto chosen = environment("DIOPTRE_GLSL"); !chosen.empty())
+    if (const auto chosen = environment("DIOPTRE_GLSL"); !chosen.empty()) {
+        if (!std::filesystem::is_regular_file(std::filesystem::path(chosen) / "ray_trace.frag"))
+            fail(ExitCode::inputMissing, "DIOPTRE_GLSL=" + chosen + " holds no ray_trace.frag",
+                 "set it to the folder glsl/ of dioptre's sources, or not at all");
         return (std::filesystem::path(chosen) / "").parent_path(); // with or without a slash at its end
+    }
     auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
     while (true) {
         if (std::filesystem::is_regular_file(folder / "glsl" / "ray_trace.frag"))

@@ -40,7 +40,8 @@ void refuseEditedShader(const std::filesystem::path& glsl)
 
 PictureDrawer::PictureDrawer(const RenderOptions& options, const Input& input, double first_s, int rowsAtOnce)
     : input_(input), settings_(viewSettingsOf(options, rowsAtOnce)),
-      text_(readFile(input.path)), context_{"reference", "double precision on the CPU", "", true}
+      text_(input.plainShader ? readFile(input.path) : readSceneText(input.path)),
+      context_{"reference", "double precision on the CPU", "", true}
 {
     if (input.plainShader) {
         plain_ = plainSettings(options);
@@ -161,8 +162,9 @@ std::string PictureDrawer::plainSources() const
     std::string all = flatten(plainRenderer_->text());
     all += fmt::format("{} frames a second\n", plain_.frame.rate);
     for (const auto& channel : plain_.channels) {
-        all += fmt::format("{} {} {} {}\n", static_cast<int>(channel.filter), static_cast<int>(channel.wrap),
-                           channel.flip, channel.cross);
+        all += fmt::format("{} {} {} {}\n", static_cast<int>(channel.filter),
+                           static_cast<int>(channel.wrap.value_or(TextureWrap::repeat)),
+                           channel.flip.value_or(channel.kind() == ChannelKind::picture), channel.cross);
         for (const auto& file : channel.files)
             all += fmt::format("{} {:016x}\n", file, fingerprint(readFile(file)));
     }

@@ -46,7 +46,7 @@ PlainTracer runPlainTracer(const BenchInput& input, const BenchOptions& options)
              fmt::format("the plain Python tracer does not draw it ({})", lastLine(outcome->error)),
              "put another scene first, or leave --python out");
     return {input.file.stem().string(), std::lround(numbers->at(0)), 1e3 * numbers->at(1),
-            1e3 * numbers->at(2) * options.samples};
+            1e3 * numbers->at(2) * options.samples.value_or(1)};
 }
 
 } // namespace dioptre

@@ -171,7 +171,7 @@ SourceText assemble(const Scene& scene, const Plan& plan, const PackedScene& pac
     generate("generated/lights.glsl", lightsText(packed, plan));
     generate("generated/tree.glsl",
              showsFirstHit(plan.view) ? firstHitText(plan, packed) : treeText(plan.tree));
-    return assembled(packed, linesOf(readFile(main), main.string()), input);
+    return assembled(packed, readSource(main), input);
 }
 
 SourceText assembleVertex(const Plan& plan, const PackedScene& packed,

@@ -50,8 +50,8 @@ bool readSetting(const std::string& setting, ChannelSource& source)
         return read<TextureWrap>(
             pair[1],
             {{"repeat", TextureWrap::repeat}, {"clamp", TextureWrap::clamp}, {"mirror", TextureWrap::mirror}},
-            source.wrap);
-    return pair[0] == "flip" && read<bool>(pair[1], {{"yes", true}, {"no", false}}, source.flip);
+            source.wrap.emplace());
+    return pair[0] == "flip" && read<bool>(pair[1], {{"yes", true}, {"no", false}}, source.flip.emplace());
 }
 
 // Rows the other way round.
@@ -116,6 +116,8 @@ std::vector<Picture> facesOf(const Picture& cross, const std::string& file)
     return faces;
 }
 
+// The loader gives the lowest row first, and t = 0 is the top of a face: OpenGL 3.3, table 3.19, looks at
+// faces from within and with t downwards.
 Channel makeCube(const ChannelSource& source)
 {
     std::vector<Picture> faces;
@@ -124,6 +126,8 @@ Channel makeCube(const ChannelSource& source)
     else
         for (const auto& file : source.files)
             faces.push_back(flipped(readPicture(file, Encoding::linear)));
+    if (source.flip.value_or(false))
+        std::ranges::transform(faces, faces.begin(), flipped);
     for (std::size_t i = 0; i < faces.size(); ++i)
         if (faces[i].width != faces[i].height || faces[i].width != faces.front().width ||
             faces[i].format != faces.front().format)
@@ -152,6 +156,9 @@ ChannelSource channelSource(const std::string& option, std::size_t channel)
         fail(ExitCode::usage, fmt::format("--channel{} {} cannot be read", channel, option),
              "write FILE, or six FILE,FILE,… for a cube, then, if wanted, "
              "?filter=nearest|linear|mipmap&wrap=repeat|clamp|mirror&flip=yes|no, and &cube for a cross");
+    if (source.wrap && source.kind() == ChannelKind::cube)
+        fail(ExitCode::usage, fmt::format("--channel{} {} wraps a cube, which has no ends", channel, option),
+             "leave wrap out");
     return source;
 }
 
@@ -165,10 +172,11 @@ Channel makeChannel(const ChannelSource& source)
         return makeCube(source);
     // The loader gives the lowest row first.
     Picture picture = readPicture(source.files.front(), Encoding::linear);
-    if (!source.flip)
+    if (!source.flip.value_or(true))
         picture = flipped(picture);
     const glm::ivec2 size(picture.width, picture.height);
-    return {uploadPicture(picture, source.filter, source.wrap), GL_TEXTURE_2D, size};
+    return {uploadPicture(picture, source.filter, source.wrap.value_or(TextureWrap::repeat)), GL_TEXTURE_2D,
+            size};
 }
 
 } // namespace dioptre

@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,8 @@ namespace dioptre
 struct ChannelSource {
     std::vector<std::string> files; // one, or a cube's six
     TextureFilter filter = TextureFilter::mipmap;
-    TextureWrap wrap = TextureWrap::repeat;
-    bool flip = true; // whether t = 0 is the picture's lowest row; cubes are never flipped
+    std::optional<TextureWrap> wrap; // repeat where unset; none of a cube
+    std::optional<bool> flip;        // whether t = 0 is the picture's lowest row: yes, of a cube's faces no
     bool cross = false;
     ChannelKind kind() const
     {

@@ -201,7 +201,7 @@ PlainText assemblePlain(const std::filesystem::path& shader, const std::filesyst
 {
     PreprocessInput input;
     input.folders = {shader.has_parent_path() ? shader.parent_path() : ".", glslFolder};
-    const SourceText body = preprocess(withoutVersion(linesOf(readFile(shader), shader.string())), input);
+    const SourceText body = preprocess(withoutVersion(readSource(shader)), input);
     const Names names = namesOf(body);
     PlainText plain;
     plain.mainImage = names.mentioned.contains("mainImage");

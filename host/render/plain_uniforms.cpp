@@ -58,7 +58,8 @@ std::vector<double> valueFor(const UniformType& type, const ActiveUniform& unifo
         fail(ExitCode::usage,
              fmt::format("--set {}={} does not fit the uniform, a {}{}", uniform.name, text, type.name,
                          uniform.elements > 1 ? fmt::format("[{}]", uniform.elements) : ""),
-             fmt::format("give {} number{}", wanted, wanted == 1 ? "" : "s, as in [1, 2]"));
+             wanted == 1 ? "give one number"
+                         : fmt::format("give {} numbers in brackets, as [0, 1] has 2", wanted));
     return *numbers;
 }
 

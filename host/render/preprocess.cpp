@@ -134,7 +134,7 @@ private:
         std::vector<std::string> folders;
         for (const auto& folder : input_.folders) {
             if (std::filesystem::is_regular_file(folder / name))
-                return linesOf(readFile(folder / name), (folder / name).string());
+                return readSource(folder / name);
             folders.push_back(folder.string());
         }
         fail(ExitCode::inputMissing, where, "\"" + name + "\" is not in " + join(folders, " or "),

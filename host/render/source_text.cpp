@@ -1,5 +1,7 @@
 #include "render/source_text.h"
 
+#include "base/file.h"
+
 #include <cctype>
 
 namespace dioptre
@@ -32,6 +34,16 @@ SourceText linesOf(std::string_view text, const std::string& file)
             break;
         text.remove_prefix(text.substr(end).starts_with("\r\n") ? end + 2 : end + 1);
     }
+    return lines;
+}
+
+SourceText readSource(const std::filesystem::path& path)
+{
+    SourceText lines = linesOf(readFile(path), path.string());
+    for (const auto& line : lines)
+        if (const auto at = line.text.find('\0'); at != std::string::npos)
+            fail(ExitCode::badInput, {line.file, line.line, static_cast<int>(at) + 1},
+                 "a byte of 0 stands here, and a shader is text", "save it as text, in UTF-8");
     return lines;
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,9 @@ using SourceText = std::vector<SourceLine>;
 
 // Cuts a text into lines of `file`; ends of line of any system, a byte-order mark is dropped.
 SourceText linesOf(std::string_view text, const std::string& file);
+
+// The lines of a file. Throws inputMissing, and badInput at a byte of 0: drivers would end the shader there.
+SourceText readSource(const std::filesystem::path& path);
 
 // The lines as one string for the driver.
 std::string flatten(const SourceText& source);

@@ -9,6 +9,8 @@
 #include <toml++/toml.h>
 #pragma pop_macro("NDEBUG")
 
+#include "scene/key_length.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,6 +21,10 @@ namespace dioptre
 
 namespace
 {
+
+// The library bounds how deep values nest, and not how many parts a dotted key has: they become tables in one
+// another until the stack ends. No scene's key has more than three.
+constexpr int mostKeyParts = 16;
 
 SourcePosition positionOf(const toml::source_region& region, const std::string& path)
 {
@@ -131,6 +137,9 @@ std::string inWords(const Value& value)
 
 Value parseDocument(const std::string& text, const std::string& path)
 {
+    if (const auto place = longKeyIn(text, mostKeyParts))
+        fail(ExitCode::badInput, {path, place->line, place->column},
+             fmt::format("a key of more than {} parts", mostKeyParts), "mend the TOML at this place");
     try {
         const toml::table source = toml::parse(std::string_view(text));
         return {tableFrom(source, path), {path}};
@@ -142,6 +151,8 @@ Value parseDocument(const std::string& text, const std::string& path)
 
 std::optional<Value> parseValue(const std::string& text, const SourcePosition& where)
 {
+    if (longKeyIn(text, mostKeyParts))
+        return std::nullopt;
     try {
         const toml::table source = toml::parse("value = " + text);
         if (source.size() != 1) // the text went on to a second line with a key of its own

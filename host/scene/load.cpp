@@ -91,9 +91,17 @@ Scene parseScene(const std::string& text, const std::filesystem::path& path,
     return parseSceneOverTime(text, path, overrides)(time_s);
 }
 
+std::string readSceneText(const std::filesystem::path& path)
+{
+    std::string text = readFile(path);
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+        fail(ExitCode::badInput, {path.string()}, "is empty", "write a scene to it, if only its [camera]");
+    return text;
+}
+
 Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides, double time_s)
 {
-    return parseScene(readFile(path), path, overrides, time_s);
+    return parseScene(readSceneText(path), path, overrides, time_s);
 }
 
 } // namespace dioptre

@@ -19,6 +19,10 @@ namespace dioptre
 Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {},
                 double time_s = 0.0);
 
+// The text of a scene's file. Throws inputMissing, and badInput where it is empty: a file that another
+// program did not get to write.
+std::string readSceneText(const std::filesystem::path& path);
+
 // The same from text; `path` is for messages and for the folder that picture names are relative to.
 Scene parseScene(const std::string& text, const std::filesystem::path& path,
                  const std::vector<std::string>& overrides = {}, double time_s = 0.0);

@@ -182,3 +182,12 @@ print(json.dumps({"pixels": 4, "seconds": 0.5, "scaled_seconds": 0.5 * width * h
     EXPECT_DOUBLE_EQ(figures["python"]["frame_ms"], 2.0 * 72000.0); // two samples a pixel
     EXPECT_DOUBLE_EQ(figures["python"]["ratio"], 2.0 * 72000.0 / first_ms);
 }
+
+TEST_F(BenchCommand, Samples_AreForTheScenesBesideAPlainShader)
+{
+    std::ofstream(folder / "p.frag") << "void mainImage(out vec4 o, in vec2 p)\n{\n    o = vec4(1.0);\n}\n";
+    const auto mixed = json("p.frag ball.toml --spp 2");
+    EXPECT_EQ(mixed["samples"], 2);
+    EXPECT_GE(mixed["inputs"][1]["rays_per_pixel"], 2.0); // the eye's ray of each sample
+    EXPECT_NE(here("dioptre bench --help").out.find("plain shaders"), std::string::npos);
+}

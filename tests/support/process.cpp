@@ -1,11 +1,11 @@
 #include "support/process.h"
 
+#include "base/child_process.h"
 #include "base/file.h"
 
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
-#include <sys/wait.h>
 #include <unistd.h>
 
 namespace dioptre::test
@@ -21,9 +21,12 @@ Outcome run(const std::string& command)
     const std::string whole = "export DIOPTRE_CACHE=off PROGRAM='" DIOPTRE_PROGRAM
                               "'\ndioptre() { \"$PROGRAM\" \"$@\"; }\n{ " +
                               command + "\n} >'" + place + "/out' 2>'" + place + "/error' </dev/null";
-    const int status = std::system(whole.c_str());
+    const auto shell = runChild({"/bin/sh", "-c", whole});
+    if (!shell)
+        throw std::runtime_error("no shell");
     Outcome outcome;
-    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    outcome.code = shell->signal == 0 ? shell->code : 128 + shell->signal;
+    outcome.peak_mib = shell->peak_mib;
     outcome.out = readFile(place + "/out");
     outcome.error = readFile(place + "/error");
     std::filesystem::remove_all(place);
