@@ -104,6 +104,14 @@ INSTANTIATE_TEST_SUITE_P(
 
 const std::string spheres = "dioptre render spheres --size 16x9 --spp 1 -o a.png --backend window";
 
+Json rowOfWindow(const Json& findings)
+{
+    for (const auto& row : findings["backends"])
+        if (row["backend"] == "window")
+            return row;
+    return {};
+}
+
 } // namespace
 
 TEST_P(Twin, Png_IsTheHeadlessOneToTheByte)
@@ -182,4 +190,49 @@ TEST_F(Window, Auto_NeverTakesIt)
                                      "--spp 1 -o a.png --backend egl");
     EXPECT_EQ(outcome.code, 69);
     EXPECT_EQ(outcome.error.find("window"), std::string::npos) << outcome.error;
+}
+
+TEST_F(Window, DoctorWithoutDisplay_TellsThatAndPasses)
+{
+    const auto json = withoutDisplay("dioptre doctor --json");
+    EXPECT_EQ(json.code, 0) << json.error;
+    const Json row = rowOfWindow(Json::parse(json.out));
+    EXPECT_EQ(row["works"], false);
+    EXPECT_EQ(row["absent"], true);
+    EXPECT_EQ(row["ended_process"], false);
+    const auto text = withoutDisplay("dioptre doctor");
+    EXPECT_EQ(text.code, 0) << text.error;
+    EXPECT_NE(text.out.find("not here: there is no display"), std::string::npos) << text.out;
+}
+
+TEST_F(Window, DoctorWithDisplay_TriesItAndExaminesTheHeadlessOne)
+{
+    const auto outcome = withDisplay("dioptre doctor --json");
+    EXPECT_EQ(outcome.code, 0) << outcome.error;
+    const Json json = Json::parse(outcome.out);
+    EXPECT_EQ(rowOfWindow(json)["works"], true);
+    EXPECT_NE(json["backend"], "window");
+}
+
+TEST_F(Window, DoctorOfTheWindow_ExaminesItOrSaysWhatItNeeds)
+{
+    const auto with = withDisplay("dioptre doctor --json --backend window");
+    EXPECT_EQ(with.code, 0) << with.error;
+    EXPECT_EQ(Json::parse(with.out)["backend"], "window");
+    const auto without = withoutDisplay("dioptre doctor --backend window");
+    EXPECT_EQ(without.code, 69);
+    EXPECT_NE(without.out.find("verdict: no OpenGL 3.3 here: set DISPLAY"), std::string::npos) << without.out;
+}
+
+// Neither EGL's drivers nor OSMesa.
+TEST_F(Window, DoctorWhereItAloneWorks_NamesIt)
+{
+    const auto outcome =
+        withDisplay("cc -shared -x c /dev/null -o libOSMesa.so.8 && cp libOSMesa.so.8 libOSMesa.so.6 && cp "
+                    "libOSMesa.so.8 libOSMesa.so && LD_LIBRARY_PATH=$PWD __EGL_VENDOR_LIBRARY_DIRS=/nowhere "
+                    "dioptre doctor");
+    EXPECT_EQ(outcome.code, 69) << outcome.error;
+    EXPECT_NE(outcome.out.find("verdict: no OpenGL 3.3 here: name --backend window, or install"),
+              std::string::npos)
+        << outcome.out;
 }
