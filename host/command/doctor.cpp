@@ -33,14 +33,37 @@ DeviceFindings examine(const ContextInfo& context)
     return findings;
 }
 
+// "auto" asks for none in particular: single ones that it does not stand for are told of, too.
+std::vector<Attempt> tryBackends(const std::string& backend)
+{
+    const std::vector<std::string>& asked = backendChoice(backend).tries;
+    std::vector<Attempt> attempts;
+    for (const std::string& name : asked)
+        attempts.push_back({tryBackend(name)});
+    for (const BackendChoice& choice : backendChoices())
+        if (backend == "auto" && choice.tries == std::vector{choice.name} &&
+            std::ranges::find(asked, choice.name) == asked.end())
+            attempts.push_back({tryBackend(choice.name), false});
+    return attempts;
+}
+
+Verdict verdictWithoutContext(const std::vector<Attempt>& attempts)
+{
+    const auto found =
+        std::ranges::find_if(attempts, [](const Attempt& attempt) { return attempt.fault.empty(); });
+    const std::string mend =
+        found == attempts.end()
+            ? attempts.front().mend
+            : fmt::format("name --backend {}, or {}", found->info.backend, attempts.front().mend);
+    return {ExitCode::noOpenGl, "no OpenGL 3.3 here: " + mend};
+}
+
 } // namespace
 
-const BackendReport* firstThatWorks(const std::vector<BackendReport>& attempts)
+const Attempt* firstThatWorks(const std::vector<Attempt>& attempts)
 {
-    const auto works = [](const BackendReport& attempt) { return attempt.fault.empty(); };
-    const auto onCard = [&](const BackendReport& attempt) {
-        return works(attempt) && !attempt.info.software;
-    };
+    const auto works = [](const Attempt& attempt) { return attempt.asked && attempt.fault.empty(); };
+    const auto onCard = [&](const Attempt& attempt) { return works(attempt) && !attempt.info.software; };
     auto found = std::ranges::find_if(attempts, onCard);
     if (found == attempts.end())
         found = std::ranges::find_if(attempts, works);
@@ -70,16 +93,14 @@ Verdict verdictOn(const DeviceFindings& findings)
 
 ExitCode doctor(const DoctorOptions& options)
 {
-    std::vector<BackendReport> attempts;
-    for (const std::string& backend : backendChoice(options.backend).tries)
-        attempts.push_back(tryBackend(backend));
+    const std::vector<Attempt> attempts = tryBackends(options.backend);
     if (!options.json) {
         fmt::print("{}", backendsText(attempts));
         std::fflush(stdout); // stays where a check below ends the process
     }
-    Verdict verdict{ExitCode::noOpenGl, fmt::format("no OpenGL 3.3 here: {}", packagesForOpenGl)};
+    Verdict verdict = verdictWithoutContext(attempts);
     std::optional<DeviceFindings> findings;
-    if (const BackendReport* first = firstThatWorks(attempts)) {
+    if (const Attempt* first = firstThatWorks(attempts)) {
         const auto context = makeContext(first->info.backend); // by its name: those before it may crash
         findings = examine(context->info());
         verdict = verdictOn(*findings);

@@ -34,18 +34,24 @@ struct Verdict {
     std::string text;
 };
 
-// The one that makeContext() takes: the first on a graphics card, else the first; null where none works.
-const BackendReport* firstThatWorks(const std::vector<BackendReport>& attempts);
+// A backend that was tried.
+struct Attempt : BackendReport {
+    bool asked = true; // else it is only told of, and nothing follows from it
+};
+
+// The one that makeContext() takes of those asked for: the first on a graphics card, else the first; null
+// where none works.
+const Attempt* firstThatWorks(const std::vector<Attempt>& attempts);
 
 Verdict verdictOn(const DeviceFindings& findings); // checkFailed where pictures would come out wrong
 
 // Tables with what follows from them, for people.
-std::string backendsText(const std::vector<BackendReport>& attempts);
+std::string backendsText(const std::vector<Attempt>& attempts);
 std::string findingsText(const DeviceFindings& findings);
 std::string verdictText(const Verdict& verdict);
 
 // One JSON object; `findings` is null where no backend works.
-std::string doctorJson(const std::vector<BackendReport>& attempts, const DeviceFindings* findings,
+std::string doctorJson(const std::vector<Attempt>& attempts, const DeviceFindings* findings,
                        const Verdict& verdict);
 
 } // namespace dioptre

@@ -14,12 +14,13 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-Json jsonOf(const BackendReport& attempt)
+Json jsonOf(const Attempt& attempt)
 {
     if (!attempt.fault.empty())
         return {{"backend", attempt.info.backend},
                 {"works", false},
                 {"ended_process", attempt.endedProcess},
+                {"absent", attempt.absent},
                 {"fault", attempt.fault}};
     return {{"backend", attempt.info.backend},   {"works", true},
             {"renderer", attempt.info.renderer}, {"version", attempt.info.version},
@@ -107,11 +108,11 @@ Json jsonOf(const DriverEnvironment& environment)
 
 } // namespace
 
-std::string doctorJson(const std::vector<BackendReport>& attempts, const DeviceFindings* findings,
+std::string doctorJson(const std::vector<Attempt>& attempts, const DeviceFindings* findings,
                        const Verdict& verdict)
 {
     Json json{{"backends", Json::array()}};
-    for (const BackendReport& attempt : attempts)
+    for (const Attempt& attempt : attempts)
         json["backends"].push_back(jsonOf(attempt));
     if (findings != nullptr) {
         const ContextInfo& context = findings->context;

@@ -180,18 +180,19 @@ Section timesSection(const DriverEnvironment& environment, bool software)
 
 } // namespace
 
-std::string backendsText(const std::vector<BackendReport>& attempts)
+std::string backendsText(const std::vector<Attempt>& attempts)
 {
     Section section{"backends", {}, {}};
-    const BackendReport* first = firstThatWorks(attempts);
-    for (const BackendReport& attempt : attempts) {
+    const Attempt* first = firstThatWorks(attempts);
+    for (const Attempt& attempt : attempts) {
         const ContextInfo& info = attempt.info;
         if (attempt.fault.empty()) {
             section.rows.emplace_back(info.backend, fmt::format("works: context in {:.0f} ms, {}",
                                                                 attempt.start_ms, info.renderer));
             section.rows.emplace_back("", fmt::format("OpenGL {}, GLSL {}", info.version, info.glslVersion));
         } else {
-            section.rows.emplace_back(info.backend, "fails: " + attempt.fault);
+            section.rows.emplace_back(info.backend,
+                                      (attempt.absent ? "not here: " : "fails: ") + attempt.fault);
         }
         if (attempt.endedProcess)
             section.follows.push_back(

@@ -20,7 +20,8 @@ namespace
 
 constexpr unsigned patience_s = 60; // a context that takes longer never comes
 
-// What a child says, one line each: fault, renderer, version, GLSL version, software, milliseconds.
+// What a child says, one line each: fault, mend, absent; where there is no fault also renderer, version, GLSL
+// version, software, milliseconds.
 std::string attemptInChild(const std::string& backend)
 {
     Stopwatch watch;
@@ -29,10 +30,12 @@ std::string attemptInChild(const std::string& backend)
         const auto context = makeContext(backend, &attempts);
         const double start_ms = watch.lap_ms();
         const ContextInfo& info = context->info();
-        return fmt::format("\n{}\n{}\n{}\n{:d}\n{}\n", info.renderer, info.version, info.glslVersion,
+        return fmt::format("\n\n0\n{}\n{}\n{}\n{:d}\n{}\n", info.renderer, info.version, info.glslVersion,
                            info.software, start_ms);
     } catch (const std::exception& error) {
-        return (attempts.empty() ? error.what() : attempts.back().outcome) + "\n";
+        const BackendAttempt last =
+            attempts.empty() ? BackendAttempt{backend, error.what()} : attempts.back();
+        return fmt::format("{}\n{}\n{:d}\n", last.outcome, last.mend, last.absent);
     }
 }
 
@@ -60,13 +63,16 @@ BackendReport reportFrom(const std::string& backend, const std::string& said)
     BackendReport report;
     report.info.backend = backend;
     std::istringstream lines(said);
-    std::string software, start_ms;
+    std::string absent, software, start_ms;
     std::getline(lines, report.fault);
+    std::getline(lines, report.mend);
+    std::getline(lines, absent);
     std::getline(lines, report.info.renderer);
     std::getline(lines, report.info.version);
     std::getline(lines, report.info.glslVersion);
     std::getline(lines, software);
     std::getline(lines, start_ms);
+    report.absent = absent == "1";
     report.info.software = software == "1";
     report.start_ms = start_ms.empty() ? 0.0 : std::stod(start_ms);
     return report;
@@ -94,8 +100,12 @@ BackendReport tryBackend(const std::string& backend)
     ::close(ends[0]);
     int status = 0;
     ::waitpid(child, &status, 0);
-    BackendReport report = reportFrom(backend, said.empty() ? endOf(status) : said);
-    report.endedProcess = said.empty();
+    if (!said.empty())
+        return reportFrom(backend, said);
+    BackendReport report;
+    report.info.backend = backend;
+    report.fault = endOf(status);
+    report.endedProcess = true;
     return report;
 }
 

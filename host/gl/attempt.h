@@ -8,8 +8,10 @@ namespace dioptre
 {
 
 struct BackendReport {
-    ContextInfo info;          // its backend is set in any case, the rest where it worked
-    std::string fault;         // "" where it worked
+    ContextInfo info;  // its backend is set in any case, the rest where it worked
+    std::string fault; // "" where it worked
+    std::string mend = packagesForOpenGl;
+    bool absent = false;       // nothing is broken: the machine, as it is set up, does not have it
     bool endedProcess = false; // the driver crashed or hung: trying it is the end of any process
     double start_ms = 0.0;     // from nothing, the driver's loading included, to a context that is current
 };

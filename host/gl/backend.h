@@ -15,6 +15,8 @@ namespace dioptre
 struct ContextTry {
     std::unique_ptr<Context> context;
     std::string fault; // "" when it worked
+    std::string mend = packagesForOpenGl;
+    bool absent = false; // nothing is broken: the machine, as it is set up, does not have it
 };
 
 ContextTry tryEglSurfaceless();
@@ -24,6 +26,7 @@ ContextTry tryEglDevice();
 bool eglListsGraphicsCard();
 ContextTry tryEglDefault();
 ContextTry tryOsMesa();
+ContextTry tryWindow();
 
 // Loads the OpenGL functions of the context that is current and fills the rest of `info`. Gives "" or the
 // fault: functions loaded for another context crash, so this runs for every new one.

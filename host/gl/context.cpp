@@ -18,14 +18,17 @@ struct Backend {
     const char* name;
     const char* meaning; // a phrase for people
     ContextTry (*attempt)();
+    bool inAuto = true;
 };
 
 // In the order in which "auto" tries them.
-constexpr std::array<Backend, 4> backends{
+constexpr std::array<Backend, 5> backends{
     {{"egl-surfaceless", "Mesa's EGL without display or window", tryEglSurfaceless},
      {"egl-device", "EGL's first device that works, a graphics card where there is one", tryEglDevice},
      {"egl-default", "EGL's default display, such as the desktop's", tryEglDefault},
-     {"osmesa", "Mesa in memory without EGL, loaded where it is installed", tryOsMesa}}};
+     {"osmesa", "Mesa in memory without EGL, loaded where it is installed", tryOsMesa},
+     {"window", "an invisible window under X, by GLFW where it is installed; by name alone", tryWindow,
+      false}}};
 
 ContextTry attempt(const std::string& name)
 {
@@ -53,12 +56,13 @@ std::string glText(GLenum which)
 const std::vector<BackendChoice>& backendChoices()
 {
     static const std::vector<BackendChoice> choices = [] {
-        std::vector<BackendChoice> all{{"auto", "all of the single ones in turn", {}},
+        std::vector<BackendChoice> all{{"auto", "all in turn that need no window", {}},
                                        {"egl", "the three of EGL in turn", {}}};
         for (const Backend& backend : backends) {
             const std::string name = backend.name;
             all.push_back({name, backend.meaning, {name}});
-            all[0].tries.push_back(name);
+            if (backend.inAuto)
+                all[0].tries.push_back(name);
             if (name.starts_with("egl-"))
                 all[1].tries.push_back(name);
         }
@@ -105,12 +109,14 @@ std::string loadFunctions(GLADloadfunc loader, ContextInfo& info)
 std::unique_ptr<Context> makeContext(const std::string& backend, std::vector<BackendAttempt>* attempts)
 {
     std::vector<std::string> faults;
+    std::string mend;
     std::string software; // the first that works, yet draws in software beside a graphics card
     const auto& tries = backendChoice(backend).tries;
     for (const std::string& name : tries) {
         ContextTry result = attempt(name);
         if (attempts != nullptr)
-            attempts->push_back({name, result.fault});
+            attempts->push_back({name, result.fault, result.mend, result.absent});
+        mend = result.mend; // of several they are alike
         if (result.context == nullptr)
             faults.push_back(fmt::format("{}: {}", name, result.fault));
         else if (tries.size() == 1 || !result.context->info().software || !eglListsGraphicsCard())
@@ -121,8 +127,7 @@ std::unique_ptr<Context> makeContext(const std::string& backend, std::vector<Bac
     if (!software.empty())
         if (ContextTry again = attempt(software); again.context != nullptr)
             return std::move(again.context);
-    fail(ExitCode::noOpenGl, fmt::format("no OpenGL 3.3 context ({})", join(faults, "; ")),
-         packagesForOpenGl);
+    fail(ExitCode::noOpenGl, fmt::format("no OpenGL 3.3 context ({})", join(faults, "; ")), mend);
 }
 
 } // namespace dioptre

@@ -1,4 +1,4 @@
-// An OpenGL 3.3 core context without a window.
+// An OpenGL 3.3 core context, without a window unless one is asked for.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@ namespace dioptre
 
 // What a context says of itself.
 struct ContextInfo {
-    std::string backend;  // "egl-surfaceless", "egl-device", "egl-default" or "osmesa"
+    std::string backend;  // "egl-surfaceless", "egl-device", "egl-default", "osmesa" or "window"
     std::string renderer; // GL_RENDERER
     std::string version;  // GL_VERSION
     bool software =
@@ -32,15 +32,17 @@ protected:
     ContextInfo info_;
 };
 
+// The mend where no backend works.
+inline constexpr const char* packagesForOpenGl =
+    "install the packages libegl1 and libgl1-mesa-dri, or libosmesa6";
+
 // One attempt and what came of it, for logs and error messages.
 struct BackendAttempt {
     std::string backend;
     std::string outcome; // "" when it worked
+    std::string mend = packagesForOpenGl;
+    bool absent = false; // nothing is broken: the machine, as it is set up, does not have it
 };
-
-// The mend where no backend works.
-inline constexpr const char* packagesForOpenGl =
-    "install the packages libegl1 and libgl1-mesa-dri, or libosmesa6";
 
 // A word that --backend takes.
 struct BackendChoice {
@@ -50,7 +52,7 @@ struct BackendChoice {
         tries; // the single backends that it stands for, in the order in which they are tried
 };
 
-// "auto", "egl", "egl-surfaceless", "egl-device", "egl-default", "osmesa".
+// "auto", "egl", "egl-surfaceless", "egl-device", "egl-default", "osmesa", "window".
 const std::vector<BackendChoice>& backendChoices();
 std::vector<std::string> backendNames();
 

@@ -71,7 +71,8 @@ TEST(ListCommand, OrdersFormsAndCurves_AreTheWordsThatTheLoaderTakes)
 TEST(ListCommand, Backends_AreTheWordsThatRenderTakes)
 {
     const auto names = namesOf(listed()["backends"]);
-    for (const char* name : {"auto", "egl", "egl-surfaceless", "egl-device", "egl-default", "osmesa"})
+    for (const char* name :
+         {"auto", "egl", "egl-surfaceless", "egl-device", "egl-default", "osmesa", "window"})
         EXPECT_TRUE(has(names, name)) << name;
     const auto help = run("dioptre render --help").out;
     for (const auto& name : names)

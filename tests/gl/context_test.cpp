@@ -3,11 +3,13 @@
 #include "gl/program.h"
 #include "gl/target.h"
 #include "gl/texture.h"
+#include "support/display.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <iostream>
+#include <memory>
 
 namespace dioptre
 {
@@ -28,10 +30,27 @@ std::vector<float> texel(const Picture& picture, int x, int y)
 // Each backend of this machine in turn, in one process: the functions are loaded anew for each.
 class EachBackend : public testing::TestWithParam<std::string>
 {
+protected:
+    void SetUp() override
+    {
+        if (GetParam() != "window")
+            return;
+        display_ = std::make_unique<test::VirtualDisplay>();
+        setenv("DISPLAY", display_->name().c_str(), 1);
+    }
+    void TearDown() override
+    {
+        if (display_ != nullptr)
+            unsetenv("DISPLAY");
+    }
+
+private:
+    std::unique_ptr<test::VirtualDisplay> display_;
 };
 
 INSTANTIATE_TEST_SUITE_P(Gl, EachBackend,
-                         testing::Values("egl-surfaceless", "egl-device", "osmesa", "egl-surfaceless"),
+                         testing::Values("egl-surfaceless", "egl-device", "osmesa", "window",
+                                         "egl-surfaceless"),
                          [](const auto& info) {
                              std::string name = info.param + std::to_string(info.index);
                              std::erase(name, '-');
@@ -94,6 +113,34 @@ TEST(MakeContext, Auto_NamesItsAttempts)
     EXPECT_EQ(attempts.front().backend, "egl-surfaceless");
     EXPECT_EQ(attempts.back().backend, context->info().backend);
     EXPECT_EQ(attempts.back().outcome, "");
+}
+
+TEST(MakeContext, Window_IsPartOfNoOtherName)
+{
+    for (const BackendChoice& choice : backendChoices())
+        EXPECT_EQ(choice.name == "window",
+                  std::find(choice.tries.begin(), choice.tries.end(), "window") != choice.tries.end())
+            << choice.name;
+}
+
+TEST(MakeContext, WindowWithoutDisplay_IsAbsentAndNamesTheDisplay)
+{
+    unsetenv("DISPLAY");
+    for (int round = 0; round < 2; ++round) {
+        std::vector<BackendAttempt> attempts;
+        try {
+            makeContext("window", &attempts);
+            FAIL();
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::noOpenGl);
+            EXPECT_NE(std::string(error.what()).find("DISPLAY environment variable is missing"),
+                      std::string::npos)
+                << error.what();
+            EXPECT_NE(std::string(error.what()).find("xvfb-run -a"), std::string::npos) << error.what();
+        }
+        ASSERT_EQ(attempts.size(), 1U);
+        EXPECT_TRUE(attempts[0].absent);
+    }
 }
 
 TEST(MakeContext, UnknownName_IsUsageWithAMend)
