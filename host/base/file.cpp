@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <fstream>
 #include <sstream>
 #include <system_error>
 #include <unistd.h>
@@ -23,6 +22,12 @@ namespace fs = std::filesystem;
 {
     fail(ExitCode::cannotWrite, {path.string()}, fmt::format("cannot be written ({})", what),
          "choose another place with -o");
+}
+
+[[noreturn]] void failToRead(const fs::path& path)
+{
+    fail(ExitCode::inputMissing, {path.string()},
+         fmt::format("cannot be read ({})", std::strerror(errno != 0 ? errno : EIO)), "check the path");
 }
 
 // Creates a file that did not exist before, with the permissions that the umask leaves. It keeps the
@@ -44,19 +49,25 @@ fs::path createBeside(const fs::path& target)
 
 } // namespace
 
-std::string readFile(const fs::path& path)
+std::ifstream openFile(const fs::path& path)
 {
     std::error_code ignored;
     if (fs::is_directory(path, ignored))
         fail(ExitCode::inputMissing, {path.string()}, "is a folder", "name a file in it");
     errno = 0;
     std::ifstream in(path, std::ios::binary);
+    if (!in.is_open())
+        failToRead(path);
+    return in;
+}
+
+std::string readFile(const fs::path& path)
+{
+    std::ifstream in = openFile(path);
     std::ostringstream bytes;
-    if (in.is_open())
-        bytes << in.rdbuf();
-    if (!in.is_open() || in.bad())
-        fail(ExitCode::inputMissing, {path.string()},
-             fmt::format("cannot be read ({})", std::strerror(errno != 0 ? errno : EIO)), "check the path");
+    bytes << in.rdbuf();
+    if (in.bad())
+        failToRead(path);
     return std::move(bytes).str();
 }
 
