@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <cstring>
 #include <fcntl.h>
-#include <fstream>
 #include <system_error>
 #include <unistd.h>
 
@@ -23,6 +22,12 @@ namespace fs = std::filesystem;
 {
     fail(ExitCode::cannotWrite, {path.string()}, fmt::format("cannot be written ({})", what),
          "choose another place with -o");
+}
+
+[[noreturn]] void failToRead(const fs::path& path)
+{
+    fail(ExitCode::inputMissing, {path.string()},
+         fmt::format("cannot be read ({})", std::strerror(errno != 0 ? errno : EIO)), "check the path");
 }
 
 // Creates a file that did not exist before, with the permissions that the umask leaves. It keeps the
@@ -54,7 +59,7 @@ constexpr std::uintmax_t mostBytes = std::uintmax_t{4} << 30;
 
 } // namespace
 
-std::string readFile(const fs::path& path)
+std::ifstream openFile(const fs::path& path)
 {
     std::error_code ignored;
     if (fs::is_directory(path, ignored))
@@ -62,12 +67,21 @@ std::string readFile(const fs::path& path)
     // Those of the kind of /dev/zero never end.
     if (fs::is_character_file(path, ignored) || fs::is_block_file(path, ignored))
         fail(ExitCode::inputMissing, {path.string()}, "is a device", "name a file");
+    errno = 0;
+    std::ifstream in(path, std::ios::binary);
+    if (!in.is_open())
+        failToRead(path);
+    return in;
+}
+
+std::string readFile(const fs::path& path)
+{
+    std::ifstream in = openFile(path);
+    std::error_code ignored;
     const bool sized = fs::is_regular_file(path, ignored);
     const std::uintmax_t size = sized ? fs::file_size(path, ignored) : 0;
     if (sized && !ignored && size > mostBytes)
         refuseSize(path);
-    errno = 0;
-    std::ifstream in(path, std::ios::binary);
     std::string bytes;
     bytes.reserve(sized && !ignored ? size : 0);
     std::string block(1U << 18, '\0');
@@ -75,9 +89,8 @@ std::string readFile(const fs::path& path)
         in.read(block.data(), static_cast<std::streamsize>(block.size()));
         bytes.append(block, 0, static_cast<std::size_t>(in.gcount()));
     }
-    if (!in.is_open() || in.bad())
-        fail(ExitCode::inputMissing, {path.string()},
-             fmt::format("cannot be read ({})", std::strerror(errno != 0 ? errno : EIO)), "check the path");
+    if (in.bad())
+        failToRead(path);
     if (bytes.size() > mostBytes)
         refuseSize(path);
     return bytes;

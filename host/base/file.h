@@ -1,11 +1,15 @@
-// Whole-file reading, and writing that leaves either the finished file or none.
+// Reading, and writing that leaves either the finished file or none.
 #pragma once
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace dioptre
 {
+
+// The file to be read as its bytes are. Throws inputMissing when it cannot be opened or is a device.
+std::ifstream openFile(const std::filesystem::path& path);
 
 // The file's bytes. Throws inputMissing when it cannot be read or is a device, badInput beyond 4 GiB.
 std::string readFile(const std::filesystem::path& path);

@@ -88,8 +88,8 @@ void writeExr(const std::filesystem::path& path, const Picture& picture, ExrDept
 // Throws cannotWrite.
 void writeRadiance(const std::filesystem::path& path, const Picture& picture, const Settings& settings);
 
-// What writePng() or writeExr() put into a file as text. Empty for files of other kinds, and where it cannot
-// be read.
+// What the writers put into a file as text; a Radiance picture has spaces where there were line breaks. Empty
+// for files of other kinds, and where it cannot be read.
 Settings readSettings(const std::filesystem::path& path);
 
 } // namespace dioptre

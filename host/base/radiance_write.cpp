@@ -1,8 +1,8 @@
 #include "base/checked_file.h"
 #include "base/error.h"
 #include "base/picture_writer.h"
+#include "base/radiance_head.h"
 
-#include <fmt/format.h>
 #include <stb_image_write.h>
 
 #include <algorithm>
@@ -39,19 +39,7 @@ void append(void* text, void* bytes, int size)
     static_cast<std::string*>(text)->append(static_cast<const char*>(bytes), static_cast<std::size_t>(size));
 }
 
-// KEY=VALUE lines, as Radiance's own tools write them; a line break in a value would end the line.
-std::string headerLines(const Settings& settings)
-{
-    std::string lines;
-    for (const auto& [key, value] : settings) {
-        std::string line = key + "=" + value;
-        std::ranges::replace(line, '\n', ' ');
-        lines += line + "\n";
-    }
-    return lines;
-}
-
-// Rows [first, end) of a band, from the upper to the lower, as a whole file of stb's.
+// Rows [first, end) of a band, from the upper to the lower, as they stand in a file.
 std::string encodeRows(const Picture& band, std::size_t first, std::size_t end)
 {
     const auto width = static_cast<std::size_t>(band.width);
@@ -64,20 +52,21 @@ std::string encodeRows(const Picture& band, std::size_t first, std::size_t end)
         }
     std::string bytes;
     stbi_write_hdr_to_func(append, &bytes, band.width, static_cast<int>(end - first), 3, numbers.data());
-    return bytes;
+    // Without stb's text.
+    return bytes.substr(bytes.find('\n', bytes.find("\n\n") + 2) + 1);
 }
 
-// stb writes whole pictures. Here each few rows are one, of which all but the first lose their head, and the
-// first's gets the size of the whole and the settings.
+// stb writes whole pictures. Here each few rows are one, and what stands above them is ours.
 class RadianceWriter : public PictureWriter
 {
 public:
     RadianceWriter(const std::filesystem::path& path, int width, int height, const Settings& settings)
-        : file_(path), sizeLine_(fmt::format("-Y {} +X {}\n", height, width)), lines_(headerLines(settings))
+        : file_(path)
     {
         if (width < 1 || height < 1)
             fail(ExitCode::cannotWrite, {path.string()}, "Radiance: the picture is empty",
                  "choose another format");
+        write(radianceText({width, height, settings}));
     }
 
     void add(const Picture& band, const std::vector<ExrLayer>&) override
@@ -97,22 +86,12 @@ public:
     }
 
 private:
-    void write(std::string picture)
+    void write(const std::string& bytes)
     {
-        const std::size_t endOfText = picture.find("\n\n") + 2, rows = picture.find('\n', endOfText) + 1;
-        if (!hasHead_) {
-            std::string head = picture.substr(0, endOfText) + sizeLine_;
-            head.insert(head.find('\n') + 1, lines_); // after the first line, which names the format
-            file_.write(head.data(), head.size());
-            hasHead_ = true;
-        }
-        file_.write(picture.data() + rows, picture.size() - rows);
+        file_.write(bytes.data(), bytes.size());
     }
 
     CheckedFile file_;
-    std::string sizeLine_;
-    std::string lines_;
-    bool hasHead_ = false;
 };
 
 } // namespace

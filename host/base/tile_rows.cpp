@@ -7,22 +7,27 @@ namespace dioptre
 namespace
 {
 
-constexpr int group = 64; // rows: sums and derivatives come out the same from multiples of it
+constexpr int groupRows = 64;
+
+// The first row above the tiles `tile` + 1 to `tiles`, which are below.
+int rowsBelow(int height, int tile, int tiles)
+{
+    const long long groups = mostTiles(height);
+    const auto below = static_cast<int>(groups - groups * tile / tiles);
+    return std::min(height, below * groupRows);
+}
 
 } // namespace
 
 int mostTiles(int height)
 {
-    return (height + group - 1) / group;
+    return (height + groupRows - 1) / groupRows;
 }
 
 TileRows tileRows(int height, int tile, int tiles)
 {
-    const long groups = mostTiles(height);
-    const auto groupsAbove = [&](int end) { return static_cast<int>(groups * end / tiles); };
-    const int first = group * (static_cast<int>(groups) - groupsAbove(tile));
-    const int end = group * (static_cast<int>(groups) - groupsAbove(tile - 1));
-    return {first, std::min(end, height) - first};
+    const int first = rowsBelow(height, tile, tiles);
+    return {first, rowsBelow(height, tile - 1, tiles) - first};
 }
 
 } // namespace dioptre

@@ -1,18 +1,20 @@
-// How a picture is parted into tiles for several machines.
+// How a picture is shared out: tiles are bands of its full width.
 #pragma once
 
 namespace dioptre
 {
 
+// Rows [first, first + count) of the picture, counted from its bottom.
 struct TileRows {
-    int first = 0; // the lowest, counted from the bottom of the picture; a multiple of 64
+    int first = 0;
     int count = 0;
 };
 
-// The most tiles of a picture of so many rows: tiles are made of groups of 64 rows, from the bottom.
-int mostTiles(int height);
-
-// Tile `tile` of `tiles`, counted from 1 and from the top; 1 <= tile <= tiles <= mostTiles(height).
+// Tile 1 of `tiles` is the top one. Tiles are made of groups of 64 rows from the bottom up, of which only the
+// topmost may be cut off, so each is drawn in the very blocks of the whole picture.
 TileRows tileRows(int height, int tile, int tiles);
+
+// With more than these, some would hold no row.
+int mostTiles(int height);
 
 } // namespace dioptre

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "command/bench_options.h"
+#include "command/join.h"
 #include "command/size_option.h"
 #include "gl/context.h"
 #include "render/data_view.h"
@@ -160,6 +161,18 @@ void addRender(CLI::App& app, RenderOptions& options, std::string& size)
     command->add_flag("--json", options.json, "print figures as JSON");
 }
 
+void addJoin(CLI::App& app, JoinOptions& options)
+{
+    auto* command = app.add_subcommand("join", "put the tiles of a picture together, drawn by render --tile");
+    command->add_option("parts", options.parts, "the tiles, all of one picture, in any order")
+        ->required()
+        ->type_name("PART");
+    command->add_option("-o,--output", options.output, "the whole picture, of the parts' kind")
+        ->required()
+        ->type_name("FILE");
+    command->add_flag("--json", options.json, "print figures as JSON");
+}
+
 void addDoctor(CLI::App& app, DoctorOptions& options)
 {
     auto* command = app.add_subcommand("doctor", "say what OpenGL is there and what follows from it");
@@ -201,6 +214,8 @@ ExitCode runCommandLine(const std::vector<std::string>& arguments)
     addRender(app, options, size);
     BenchOptions benchOptions;
     addBench(app, benchOptions);
+    JoinOptions joinOptions;
+    addJoin(app, joinOptions);
     DoctorOptions doctorOptions;
     addDoctor(app, doctorOptions);
     ListOptions listOptions;
@@ -220,6 +235,8 @@ ExitCode runCommandLine(const std::vector<std::string>& arguments)
     }
     if (app.got_subcommand("bench"))
         return bench(benchOptions);
+    if (app.got_subcommand("join"))
+        return joinTiles(joinOptions);
     if (app.got_subcommand("doctor"))
         return doctor(doctorOptions);
     if (app.got_subcommand("list"))

@@ -102,7 +102,7 @@ TEST_F(PictureFile, PictureWriter_WhateverTheBands_WritesTheSameBytes)
             auto writer = openers[kind](folder_ / "banded");
             addBands(*writer, picture, {}, heights);
             writer->finish();
-            EXPECT_EQ(readFile(folder_ / "banded"), expected)
+            EXPECT_TRUE(readFile(folder_ / "banded") == expected)
                 << "kind " << kind << ", bands of " << heights[0];
         }
     }
@@ -118,7 +118,7 @@ TEST_F(PictureFile, PictureWriter_OfLayers_WhateverTheBands_WritesTheSameBytes)
                               {"depth.Z", "object.id"});
         addBands(*writer, picture, layers, heights);
         writer->finish();
-        EXPECT_EQ(readFile(folder_ / "banded.exr"), readFile(folder_ / "whole.exr"))
+        EXPECT_TRUE(readFile(folder_ / "banded.exr") == readFile(folder_ / "whole.exr"))
             << "bands of " << heights[0];
     }
 }
