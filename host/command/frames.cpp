@@ -37,10 +37,6 @@ void refuseBadFrames(const RenderOptions& options, const FrameRange& range)
     if (options.why || !options.shader.empty())
         fail(ExitCode::usage, "--why and --shader speak of one picture",
              "ask without --frames: the shader is the same at every time");
-    if (options.resume && std::filesystem::path(options.output).extension() == ".hdr")
-        fail(ExitCode::usage,
-             "--resume knows whole frames by their text, and " + options.output + " keeps none",
-             "leave it out, or write -o FILE.exr");
     if (!isVideo(options.output))
         return;
     if (options.resume)
