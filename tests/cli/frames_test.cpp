@@ -136,7 +136,7 @@ TEST_F(FramesCommand, OfAPlainShader_AreFedTheTime)
 
 TEST_F(FramesCommand, Resume_DrawsWhatIsMissingOrCutShort_AndEndsWithTheSameBytes)
 {
-    for (const std::string kind : {"png", "exr"}) {
+    for (const std::string kind : {"png", "hdr", "exr"}) {
         const std::string command = "dioptre render orrery --frames 0:4" + smallFrames + "-o t." + kind;
         ASSERT_EQ(here(command).code, 0);
         const auto whole = contents();

@@ -9,21 +9,21 @@ namespace dioptre
 namespace
 {
 
-const Settings settings = {{"dioptre.spp", "16"}, {"dioptre.set", "title=Sch\xC3\xB6n"}};
+const Settings stackSettings = {{"dioptre.spp", "16"}, {"dioptre.set", "title=Sch\xC3\xB6n"}};
 
 using Write = std::function<void(const std::filesystem::path&, const Picture&, const std::vector<ExrLayer>&)>;
 
 const std::vector<Write> writes = {
-    [](const auto& path, const auto& picture, const auto&) { writePng(path, picture, {}, settings); },
+    [](const auto& path, const auto& picture, const auto&) { writePng(path, picture, {}, stackSettings); },
     [](const auto& path, const auto& picture, const auto&) {
-        writePng(path, picture, PngForm{true, 2.2, 16}, settings);
+        writePng(path, picture, PngForm{true, 2.2, 16}, stackSettings);
     },
-    [](const auto& path, const auto& picture, const auto&) { writeRadiance(path, picture, settings); },
+    [](const auto& path, const auto& picture, const auto&) { writeRadiance(path, picture, stackSettings); },
     [](const auto& path, const auto& picture, const auto& layers) {
-        writeExr(path, picture, ExrDepth::half, settings, layers);
+        writeExr(path, picture, ExrDepth::half, stackSettings, layers);
     },
     [](const auto& path, const auto& picture, const auto&) {
-        writeExr(path, picture, ExrDepth::full, settings);
+        writeExr(path, picture, ExrDepth::full, stackSettings);
     },
 };
 
@@ -46,7 +46,7 @@ TEST_F(PictureFile, WriteStack_GivesTheBytesOfTheWhole)
         const Picture picture = renderLikePicture(width, height);
         for (std::size_t kind = 0; kind < writes.size(); ++kind) {
             writeRows(writes[kind], folder_ / "whole", picture, 0, height);
-            PictureStack stack{{}, width, height, settings};
+            PictureStack stack{{}, width, height, stackSettings};
             int top = height;
             for (const int first : {height - 1, 35, 3, 0}) {
                 stack.topDown.push_back(folder_ / ("from" + std::to_string(first)));
@@ -69,7 +69,7 @@ TEST_F(PictureFile, WriteStack_OfACutFile_IsRefusedAndLeavesTheOldOne)
     for (const auto& write : writes) {
         writeRows(write, folder_ / "upper", picture, 20, 40);
         writeRows(write, folder_ / "lower", picture, 0, 20);
-        const PictureStack stack{{folder_ / "upper", folder_ / "lower"}, 40, 40, settings};
+        const PictureStack stack{{folder_ / "upper", folder_ / "lower"}, 40, 40, stackSettings};
         put("joined", "old");
         const std::string bytes = readFile(folder_ / "lower");
         for (std::size_t size = 0; size < bytes.size();

@@ -13,7 +13,7 @@ namespace
 
 constexpr int width = 37, height = 100;
 
-const Settings settings = {{"dioptre.spp", "16"}, {"dioptre.set", "title=Sch\xC3\xB6n"}};
+const Settings writtenSettings = {{"dioptre.spp", "16"}, {"dioptre.set", "title=Sch\xC3\xB6n"}};
 
 // Rows [first, first + count) of a picture, counted from the bottom.
 Picture bandOf(const Picture& picture, int first, int count)
@@ -56,13 +56,13 @@ void addBands(PictureWriter& writer, const Picture& picture, const std::vector<E
 using Opener = std::function<std::unique_ptr<PictureWriter>(const std::filesystem::path&)>;
 
 const std::vector<Opener> openers = {
-    [](const auto& path) { return openPng(path, width, height, {}, settings); },
+    [](const auto& path) { return openPng(path, width, height, {}, writtenSettings); },
     [](const auto& path) {
-        return openPng(path, width, height, {true, 2.2, 16}, settings);
+        return openPng(path, width, height, {true, 2.2, 16}, writtenSettings);
     },
-    [](const auto& path) { return openRadiance(path, width, height, settings); },
-    [](const auto& path) { return openExr(path, width, height, ExrDepth::half, settings); },
-    [](const auto& path) { return openExr(path, width, height, ExrDepth::full, settings); },
+    [](const auto& path) { return openRadiance(path, width, height, writtenSettings); },
+    [](const auto& path) { return openExr(path, width, height, ExrDepth::half, writtenSettings); },
+    [](const auto& path) { return openExr(path, width, height, ExrDepth::full, writtenSettings); },
 };
 
 const std::vector<std::vector<int>> bandings = {{1}, {7}, {16}, {1, 30, 2, 5}, {64, 36}, {height - 1, 1}};
@@ -112,9 +112,9 @@ TEST_F(PictureFile, PictureWriter_OfLayers_WhateverTheBands_WritesTheSameBytes)
 {
     const Picture picture = renderLikePicture(width, height);
     const std::vector<ExrLayer> layers = twoLayers();
-    writeExr(folder_ / "whole.exr", picture, ExrDepth::half, settings, layers);
+    writeExr(folder_ / "whole.exr", picture, ExrDepth::half, writtenSettings, layers);
     for (const auto& heights : bandings) {
-        auto writer = openExr(folder_ / "banded.exr", width, height, ExrDepth::half, settings,
+        auto writer = openExr(folder_ / "banded.exr", width, height, ExrDepth::half, writtenSettings,
                               {"depth.Z", "object.id"});
         addBands(*writer, picture, layers, heights);
         writer->finish();
