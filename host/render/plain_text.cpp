@@ -1,6 +1,7 @@
 #include "render/plain_text.h"
 
 #include "base/file.h"
+#include "render/endless_loop.h"
 #include "render/preprocess.h"
 
 #include <fmt/format.h>
@@ -202,6 +203,7 @@ PlainText assemblePlain(const std::filesystem::path& shader, const std::filesyst
     PreprocessInput input;
     input.folders = {shader.has_parent_path() ? shader.parent_path() : ".", glslFolder};
     const SourceText body = preprocess(withoutVersion(readSource(shader)), input);
+    refuseEndlessLoops(body);
     const Names names = namesOf(body);
     PlainText plain;
     plain.mainImage = names.mentioned.contains("mainImage");

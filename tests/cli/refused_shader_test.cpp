@@ -9,7 +9,45 @@ namespace
 const std::string threeNumbers =
     "printf 'uniform vec3 v;\nvoid main()\n{\n    gl_FragColor = vec4(v, 1.0);\n}\n' >p.frag";
 
+std::string shader(const std::string& body)
+{
+    return "printf '%s\\n' 'void mainImage(out vec4 o, in vec2 p)' '{' '    float s = 0.0;' '" + body +
+           "' '    o = vec4(s);' '}' >p.frag";
+}
+
 const std::vector<Case> shadersCases = {
+    {"LoopWithoutAnEnd",
+     shader("    while (true) s += 1.0;"),
+     "dioptre render p.frag --size 16x9 -o a.png",
+     65,
+     {"p.frag:4:5", "never ends", "a condition"}},
+    {"LoopThatNoBreakLeaves",
+     shader("    for (int i = 0; i >= 0; i *= 1) s += sin(p.x + s);"),
+     "dioptre render p.frag --size 16x9 -o a.png",
+     65,
+     {"p.frag", "never ends", "a break"}},
+    {"LoopThatSomePixelsNeverLeave",
+     shader("    for (;;) { s += 0.1 + sin(p.x * s) * 0.01; if (p.x < 9.0 && s > 9.0) break; }"),
+     "dioptre render p.frag --size 16x9 -o a.png",
+     65,
+     {"p.frag", "ended the loops of", "65535", "a loop that does not end"}},
+    {"LoopOfItsOwnMainThatSomePixelsNeverLeave",
+     "printf '%s\\n' 'out mediump vec3 colour;' 'void main()' '{' '    float s = 0.0;' '    while (s < 9.0)'"
+     " '        s += gl_FragCoord.x < 9.0 ? 0.1 : 0.0;' '    colour = vec3(s);' '}' >p.frag",
+     "dioptre render p.frag --size 16x9 -o a.png",
+     65,
+     {"p.frag", "ended the loops of", "65535"}},
+    {"LoopsOfAnAnimation",
+     shader("    for (;;) { s += 0.1; if (iTime < 0.5 || s < 0.0) break; }"),
+     "dioptre render p.frag --size 16x9 --frames 0:0 --time 1 -o a.png",
+     65,
+     {"p.frag", "ended the loops of"}},
+    {"CoordinatesDeclaredAnewInTiles",
+     "printf '%s\\n' 'layout(origin_upper_left) in vec4 gl_FragCoord;' 'out vec4 o;' 'void main()' '{'"
+     " '    o = gl_FragCoord;' '}' >p.frag",
+     "dioptre render p.frag --size 16x900 --tile 1/2 -o a.png",
+     65,
+     {"p.frag", "gl_FragCoord", "--size"}},
     {"MouseOfNonsense", plainShader, "dioptre render p.frag --mouse 3 -o a.png", 2, {"--mouse 3", "X,Y"}},
     {"ChannelThatIsMissing", plainShader, "dioptre render p.frag --channel1 no.png -o a.png", 66, {"no.png"}},
     {"ChannelFilterOfNonsense",
