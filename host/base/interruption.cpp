@@ -51,6 +51,19 @@ void Interruption::check()
         fail(ExitCode::retry, fmt::format("stopped by a signal ({})", ::strsignal(noted)), "run it again");
 }
 
+int signalDuring(const std::function<void()>& work)
+{
+    const Interruption interruption;
+    try {
+        work();
+    } catch (const Error&) {
+        if (Interruption::signal() == 0)
+            throw;
+        return Interruption::signal();
+    }
+    return 0;
+}
+
 void endBySignal(int signal)
 {
     ::signal(signal, SIG_DFL);

@@ -1,7 +1,7 @@
 // Ctrl-C and the like as a wish that long work looks at, so that it leaves whole files only.
 #pragma once
 
-#include <string>
+#include <functional>
 
 namespace dioptre
 {
@@ -22,6 +22,9 @@ public:
     // Throws retry where one was noted.
     static void check();
 };
+
+// Works until the end or until a signal is noted and comes to be heard. Gives the signal, 0 for none.
+int signalDuring(const std::function<void()>& work);
 
 // Ends the process as the signal would have, so that its parent sees why. Only for what handles it as usual.
 [[noreturn]] void endBySignal(int signal);

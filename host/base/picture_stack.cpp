@@ -7,6 +7,18 @@
 namespace dioptre
 {
 
+std::optional<StoredKind> storedKindNamed(const std::filesystem::path& name)
+{
+    const auto extension = name.extension();
+    if (extension == ".png")
+        return StoredKind::png;
+    if (extension == ".hdr")
+        return StoredKind::radiance;
+    if (extension == ".exr")
+        return StoredKind::exr;
+    return std::nullopt;
+}
+
 StoredKind storedKind(const std::filesystem::path& path)
 {
     std::ifstream in = openFile(path);

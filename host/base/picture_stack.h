@@ -4,12 +4,16 @@
 #include "base/picture.h"
 
 #include <functional>
+#include <optional>
 
 namespace dioptre
 {
 
 // The kinds of file that the writers write, told by content.
 enum class StoredKind { png, radiance, exr };
+
+// By the extension of a name; none for any other than .png, .hdr and .exr.
+std::optional<StoredKind> storedKindNamed(const std::filesystem::path& name);
 
 // Throws inputMissing; badInput for anything else.
 StoredKind storedKind(const std::filesystem::path& path);

@@ -14,26 +14,11 @@ namespace dioptre
 namespace
 {
 
-namespace fs = std::filesystem;
-
-// Before anything is read.
-StoredKind kindNamed(const std::string& output)
-{
-    const auto extension = fs::path(output).extension();
-    if (extension == ".png")
-        return StoredKind::png;
-    if (extension == ".hdr")
-        return StoredKind::radiance;
-    if (extension == ".exr")
-        return StoredKind::exr;
-    fail(ExitCode::usage, "-o " + output + " is none of .png, .hdr and .exr", "name FILE as the parts are");
-}
-
 void refuseAPartAsOutput(const JoinOptions& options)
 {
     for (const auto& part : options.parts) {
         std::error_code ignored;
-        if (part == options.output || fs::equivalent(part, options.output, ignored))
+        if (part == options.output || std::filesystem::equivalent(part, options.output, ignored))
             fail(ExitCode::usage, "-o " + options.output + " is one of the parts",
                  "name another file with -o");
     }
@@ -74,7 +59,10 @@ void printReport(const JoinOptions& options, const TiledPicture& picture, double
 ExitCode joinTiles(const JoinOptions& options)
 {
     Stopwatch whole;
-    const StoredKind kind = kindNamed(options.output);
+    const auto kind = storedKindNamed(options.output);
+    if (!kind) // before anything is read
+        fail(ExitCode::usage, "-o " + options.output + " is none of .png, .hdr and .exr",
+             "name FILE as the parts are");
     refuseAPartAsOutput(options);
     const TiledPicture picture = tiledPicture(options.parts);
     if (picture.kind != kind)
@@ -82,17 +70,7 @@ ExitCode joinTiles(const JoinOptions& options)
              fmt::format("-o {} is of another kind than the parts, which are {}", options.output,
                          nameOf(picture.kind)),
              "name FILE as the parts are");
-    int signal = 0;
-    {
-        const Interruption interruption;
-        try {
-            write(stackOf(picture), options.output);
-        } catch (const Error&) {
-            signal = Interruption::signal();
-            if (signal == 0)
-                throw;
-        }
-    }
+    const int signal = signalDuring([&] { write(stackOf(picture), options.output); });
     if (signal != 0)
         endBySignal(signal);
     printReport(options, picture, whole.lap_ms());

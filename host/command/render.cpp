@@ -53,19 +53,6 @@ void refuseBadOptions(const RenderOptions& options, const Input& input)
              "leave one of them out");
 }
 
-int signalDuring(const std::function<void()>& work)
-{
-    const Interruption interruption;
-    try {
-        work();
-    } catch (const Error&) {
-        if (Interruption::signal() == 0)
-            throw;
-        return Interruption::signal();
-    }
-    return 0;
-}
-
 namespace
 {
 

@@ -1,5 +1,6 @@
 #include "command/still_writer.h"
 
+#include "base/picture_stack.h"
 #include "base/text.h"
 #include "render/layers.h"
 #include "scene/choices.h"
@@ -15,23 +16,13 @@ namespace dioptre
 namespace
 {
 
-enum class PictureKind {
-    png,      // for the eye
-    radiance, // .hdr: linear radiance
-    exr       // linear radiance or a view's data
-};
-
-PictureKind kindOf(const std::string& output)
+StoredKind kindOf(const std::string& output)
 {
-    const auto extension = std::filesystem::path(output).extension();
-    if (extension == ".png")
-        return PictureKind::png;
-    if (extension == ".hdr")
-        return PictureKind::radiance;
-    if (extension == ".exr")
-        return PictureKind::exr;
-    fail(ExitCode::usage, "-o " + output + " is none of .png, .hdr and .exr",
-         "name the picture FILE.png, FILE.hdr or FILE.exr");
+    const auto kind = storedKindNamed(output);
+    if (!kind)
+        fail(ExitCode::usage, "-o " + output + " is none of .png, .hdr and .exr",
+             "name the picture FILE.png, FILE.hdr or FILE.exr");
+    return *kind;
 }
 
 // The options given that turn radiance into what a display is sent, for messages; "" where there is none.
@@ -59,10 +50,10 @@ std::optional<double> gammaNamed(const std::string& text)
     return gamma;
 }
 
-void refuseBadDisplay(const RenderOptions& options, PictureKind kind, bool plainShader)
+void refuseBadDisplay(const RenderOptions& options, StoredKind kind, bool plainShader)
 {
     const std::string given = displayOptions(options);
-    if (!given.empty() && kind != PictureKind::png)
+    if (!given.empty() && kind != StoredKind::png)
         fail(ExitCode::usage, given + " is for PNG, and " + options.output + " holds linear radiance",
              "leave it out, or name the picture FILE.png");
     if (!given.empty() && plainShader)
@@ -79,12 +70,12 @@ void refuseBadDisplay(const RenderOptions& options, PictureKind kind, bool plain
     gammaNamed(options.gamma);
 }
 
-void refuseBadLayers(const RenderOptions& options, PictureKind kind, bool plainShader)
+void refuseBadLayers(const RenderOptions& options, StoredKind kind, bool plainShader)
 {
     layersNamed(options.layers);
     if (options.layers.empty())
         return;
-    if (kind != PictureKind::exr)
+    if (kind != StoredKind::exr)
         fail(ExitCode::usage, "--layers is for EXR, and " + options.output + " is none",
              "name the picture FILE.exr");
     if (plainShader)
@@ -149,11 +140,11 @@ public:
         if (!options.view.empty())
             addView(settings, options, form.legend);
         const PngForm png = pngFormOf(form, options.bits == 16 ? 16 : 8);
-        if (kind_ == PictureKind::png && png.encode)
+        if (kind_ == StoredKind::png && png.encode)
             addDisplay(settings, *form.display);
-        if (kind_ == PictureKind::png)
+        if (kind_ == StoredKind::png)
             file_ = openPng(options.output, options.width, height, png, settings);
-        else if (kind_ == PictureKind::radiance)
+        else if (kind_ == StoredKind::radiance)
             file_ = openRadiance(options.output, options.width, height, settings);
         else
             file_ = openExr(options.output, options.width, height,
@@ -162,7 +153,7 @@ public:
 
     void add(const Picture& band, const std::vector<ExrLayer>& layers) override
     {
-        if (kind_ == PictureKind::png)
+        if (kind_ == StoredKind::png)
             displayed(band, form_, [this](const Picture& picture) { file_->add(picture); });
         else
             file_->add(band, layers);
@@ -175,7 +166,7 @@ public:
 
 private:
     StillForm form_;
-    PictureKind kind_;
+    StoredKind kind_;
     std::unique_ptr<PictureWriter> file_;
 };
 
@@ -202,11 +193,11 @@ private:
 void refuseBadOutput(const RenderOptions& options, bool plainShader)
 {
     const bool video = !options.frames.empty() && isVideo(options.output);
-    const PictureKind kind = video ? PictureKind::png : kindOf(options.output); // both for the eye
-    if (options.half && kind != PictureKind::exr)
+    const StoredKind kind = video ? StoredKind::png : kindOf(options.output); // both for the eye
+    if (options.half && kind != StoredKind::exr)
         fail(ExitCode::usage, "--half is for EXR, and " + options.output + " is none",
              "name the picture FILE.exr");
-    if (options.bits != 0 && (video || kind != PictureKind::png))
+    if (options.bits != 0 && (video || kind != StoredKind::png))
         fail(ExitCode::usage, "--depth is for PNG, and " + options.output + " is none",
              "leave it out, or name the picture FILE.png");
     refuseBadDisplay(options, kind, plainShader);

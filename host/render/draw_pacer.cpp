@@ -59,7 +59,7 @@ void DrawPacer::wait()
     drawn_ += waiting_;
     waiting_ = 0;
     const auto timeOf = [&](int side_px) { return msPerPixel_ * static_cast<double>(side_px) * side_px; };
-    if (side_px_ < mostSide_px && timeOf(2 * side_px_) < mostForADraw_ms)
+    for (int step = 0; step < 3 && side_px_ < mostSide_px && timeOf(2 * side_px_) < mostForADraw_ms; ++step)
         side_px_ *= 2;
     while (side_px_ > leastSide_px && timeOf(side_px_) > 2.0 * mostForADraw_ms)
         side_px_ /= 2;
