@@ -12,6 +12,9 @@
 namespace dioptre
 {
 
+// Bytes of a PNG's text and profiles: compressed ones are unpacked beside the pixels, to any size.
+inline constexpr std::size_t mostBesidePixels = std::size_t{64} << 20;
+
 // Each decodes the bytes of a whole file and flips it, so that row 0 is the bottom. `path` is for the
 // messages. They throw badInput for what is broken, cut short or too large.
 Picture decodePng(const std::filesystem::path& path, const std::string& bytes, Encoding encoding);

@@ -17,8 +17,6 @@ public:
     PngReader(const std::filesystem::path& path, const std::string& bytes)
         : path_(path), context_(spng_ctx_new(0), &spng_ctx_free)
     {
-        // Compressed text and profiles are unpacked beside the pixels, to any size.
-        constexpr std::size_t mostBesidePixels = std::size_t{64} << 20;
         check(spng_set_chunk_limits(context_.get(), mostBesidePixels, mostBesidePixels));
         check(spng_set_png_buffer(context_.get(), bytes.data(), bytes.size()));
     }

@@ -20,6 +20,7 @@ int readFrom(spng_ctx*, void* in, void* bytes, std::size_t count)
 PngRows::PngRows(const std::filesystem::path& path)
     : path_(path), in_(openFile(path)), context_(spng_ctx_new(0), &spng_ctx_free)
 {
+    check(spng_set_chunk_limits(context_.get(), mostBesidePixels, mostBesidePixels));
     check(spng_set_png_stream(context_.get(), &readFrom, &in_));
 }
 

@@ -125,6 +125,7 @@ void drawFrames(FramesReport& report, const RenderOptions& options, PictureDrawe
 
 void drawAll(FramesReport& report, const RenderOptions& options, const Input& input, const FrameRange& range)
 {
+    std::unique_ptr<PictureDrawer> drawer; // ends after the video, whose file goes first
     std::unique_ptr<Video> video;
     if (isVideo(options.output))
         video =
@@ -132,10 +133,11 @@ void drawAll(FramesReport& report, const RenderOptions& options, const Input& in
     else
         // What cannot be written, or is neither kind of picture, is refused before anything is drawn.
         PendingFile{report.frames.front().output};
-    PictureDrawer drawer(options, input, report.frames.front().time_s, rowsAtOnce(options));
-    report.context = drawer.context();
-    report.made = drawer.made();
-    drawFrames(report, options, drawer, video.get());
+    drawer =
+        std::make_unique<PictureDrawer>(options, input, report.frames.front().time_s, rowsAtOnce(options));
+    report.context = drawer->context();
+    report.made = drawer->made();
+    drawFrames(report, options, *drawer, video.get());
     Interruption::check();
     Stopwatch watch;
     if (video)

@@ -105,7 +105,8 @@ void refuseUnlike(const TilePart& part, const TilePart& first)
                          first.tiles),
              "join the tiles of one run");
     if (valueOf(part.settings, hashKey) != valueOf(first.settings, hashKey))
-        failUnlike(part, first, "was drawn from another scene, other shaders or other pictures");
+        failUnlike(part, first,
+                   "was drawn from another scene, other shaders or pictures, or with other options");
 }
 
 void refuseWrongSize(const TilePart& part)

@@ -17,14 +17,15 @@ namespace dioptre
 namespace
 {
 
-constexpr int mostColumns = 8192; // that are drawn at once; every driver can, and it is a multiple of 64
+constexpr int sideAtOnce =
+    8192; // that is drawn at once, in pixels; every driver can, and it is a multiple of 64
 
 ViewSettings viewSettingsOf(const RenderOptions& options, int rowsAtOnce)
 {
     ViewSettings settings{options.width, options.height, options.samples,
                           glslFolder(),  pictureCache(), dataViewNamed(options.view)};
-    settings.widthAtOnce = mostColumns;
-    settings.heightAtOnce = rowsAtOnce;
+    settings.widthAtOnce = sideAtOnce;
+    settings.heightAtOnce = std::min(rowsAtOnce, sideAtOnce);
     settings.drawLimit_s = options.drawLimit_s;
     return settings;
 }
@@ -75,23 +76,26 @@ PictureDrawer::PictureDrawer(const RenderOptions& options, const Input& input, d
 
 void PictureDrawer::makeRenderers(const RenderOptions& options)
 {
-    settings_.widthAtOnce = std::min(mostColumns, longestTargetSide());
+    settings_.widthAtOnce = std::min(sideAtOnce, longestTargetSide());
+    settings_.heightAtOnce = std::min(settings_.heightAtOnce, longestTargetSide());
     if (input_.plainShader) {
         plainRenderer_ = std::make_unique<PlainRenderer>(input_.path, settings_, plain_, context_);
         return addTimes(plainRenderer_->times());
     }
     renderer_ = std::make_unique<Renderer>(*prepared_, settings_, context_);
     addTimes(renderer_->times());
-    if (!options.layers.empty())
-        layers_ =
-            std::make_unique<LayerDrawer>(prepared_->scene, layersNamed(options.layers), settings_, context_);
+    if (options.layers.empty())
+        return;
+    layers_ =
+        std::make_unique<LayerDrawer>(prepared_->scene, layersNamed(options.layers), settings_, context_);
+    addTimes(layers_->times());
 }
 
 void PictureDrawer::addTimes(const BuildTimes& times)
 {
     made_.load += times.load;
-    made_.compile = times.compile;
-    made_.firstDraw = times.firstDraw;
+    made_.compile += times.compile;
+    made_.firstDraw += times.firstDraw;
 }
 
 DrawingFacts PictureDrawer::facts() const
@@ -132,7 +136,7 @@ PictureDrawer::Band PictureDrawer::draw(const PixelRectangle& rows, const Progre
     if (!plainRenderer_ && !renderer_)
         return {drawReference(rows), {}};
     Drawing& drawing = plainRenderer_ ? static_cast<Drawing&>(*plainRenderer_) : *renderer_;
-    Band band{drawStill(drawing, rows, settings_.widthAtOnce, progress), {}};
+    Band band{drawStill(drawing, rows, progress), {}};
     Stopwatch watch;
     if (layers_)
         band.layers = layers_->draw(rows);
@@ -180,6 +184,9 @@ unsigned long long PictureDrawer::sourcesFingerprint() const
         for (const auto& part : renderer_->parts())
             all += flatten(part.shader) +
                    flatten(assembleVertex(part.plan, prepared_->packed, settings_.glslFolder));
+    if (layers_)
+        for (const auto& shader : layers_->shaders())
+            all += flatten(shader);
     if (input_.plainShader)
         all += plainSources();
     if (!input_.plainShader && !renderer_)

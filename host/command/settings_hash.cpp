@@ -17,7 +17,7 @@ std::string settingsHash(const RenderOptions& options, const ContextInfo& contex
     whole.settingsHash.clear();
     std::string all =
         fmt::format("{:016x}\nhalf {}\nview {}\nbits {}\nexposure {}\ncurve {}\ngamma {}\nmouse {}\n",
-                    sources, options.half, options.view, options.bits,
+                    sources, options.half, options.view, options.bits == 16 ? 16 : 8,
                     options.exposure ? fmt::format("{}", *options.exposure) : "the scene's", options.curve,
                     options.gamma, options.mouse);
     for (const auto& [key, value] : settingsOf(whole, context))

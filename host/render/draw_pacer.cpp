@@ -13,8 +13,11 @@ namespace
 // A draw is to take no longer, as far as those before it tell; watchdogs bite after two seconds and more.
 constexpr double mostForADraw_ms = 100.0;
 
-// Between two waits; Ctrl-C and progress have to wait as long.
-constexpr double mostForAHeap_ms = 200.0;
+// Between two waits, as far as can be told; progress has to wait as long.
+constexpr double mostBetweenWaits_ms = 200.0;
+
+// However cheap the pixels before them were: those that follow may cost a thousand times as much.
+constexpr int mostDrawsBetweenWaits = 4;
 
 } // namespace
 
@@ -24,6 +27,7 @@ void DrawPacer::begin(long pixels, const Progress& progress)
     all_ = pixels;
     drawn_ = 0;
     waiting_ = 0;
+    draws_ = 0;
     sinceWait_.lap_ms();
 }
 
@@ -41,6 +45,7 @@ void DrawPacer::cover(const PixelRectangle& area, const std::function<void(const
         left.push_back({r.x + width, r.y, r.width - width, height});
         draw({r.x, r.y, width, height});
         waiting_ += static_cast<long>(width) * height;
+        ++draws_;
         if (isTimeToWait())
             wait();
     }
@@ -49,15 +54,17 @@ void DrawPacer::cover(const PixelRectangle& area, const std::function<void(const
 bool DrawPacer::isTimeToWait() const
 {
     const bool last = progress_ && drawn_ + waiting_ == all_;
-    return side_px_ < mostSide_px || last || msPerPixel_ * static_cast<double>(waiting_) > mostForAHeap_ms;
+    return side_px_ < mostSide_px || last || draws_ == mostDrawsBetweenWaits ||
+           msPerPixel_ * static_cast<double>(waiting_) > mostBetweenWaits_ms;
 }
 
 void DrawPacer::wait()
 {
-    waitForDevice(limit_s_);
+    waitForDevice(limit_s_ * draws_);
     msPerPixel_ = sinceWait_.lap_ms() / static_cast<double>(waiting_);
     drawn_ += waiting_;
     waiting_ = 0;
+    draws_ = 0;
     const auto timeOf = [&](int side_px) { return msPerPixel_ * static_cast<double>(side_px) * side_px; };
     for (int step = 0; step < 3 && side_px_ < mostSide_px && timeOf(2 * side_px_) < mostForADraw_ms; ++step)
         side_px_ *= 2;

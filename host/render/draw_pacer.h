@@ -14,8 +14,8 @@ using Progress = std::function<void(double)>;
 
 // Cuts areas into draws that each take little time: a graphics card's watchdog ends what takes seconds, and
 // Ctrl-C waits for the end of a draw. The first draws are small and waited for; as their times come in, draws
-// grow and are waited for in heaps, so that waiting costs nothing that can be seen. What is drawn does not
-// hang on it: a pixel is the same in every draw.
+// grow and are waited for a few at a time, so that waiting costs nothing that can be seen. What is drawn does
+// not hang on it: a pixel is the same in every draw.
 class DrawPacer
 {
 public:
@@ -34,9 +34,10 @@ private:
 
     double limit_s_;
     int side_px_ = leastSide_px; // of a draw
-    double msPerPixel_ = 0.0;    // of the last heap
+    double msPerPixel_ = 0.0;    // of the draws that were last waited for
     Stopwatch sinceWait_;
     long waiting_ = 0; // pixels drawn since then
+    int draws_ = 0;    // likewise
     long drawn_ = 0;   // pixels of the picture that are known to be done
     long all_ = 0;
     Progress progress_;

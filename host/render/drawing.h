@@ -56,6 +56,16 @@ public:
     // multiples of 64 pixels. At first it is the picture's lower left, as far as the target goes.
     void show(const PixelRectangle& region);
 
+    // The most that can be shown at once, in pixels.
+    int widthAtOnce() const
+    {
+        return target_.width;
+    }
+    int heightAtOnce() const
+    {
+        return target_.height;
+    }
+
     // Draws all pixels of the region anew, without waiting for the end unless `progress` is to be told.
     void submit(const Progress& progress = {});
 

@@ -57,7 +57,7 @@ std::vector<LayerRow> layersNamed(const std::vector<std::string>& names)
 
 LayerDrawer::LayerDrawer(const Scene& scene, const std::vector<LayerRow>& rows, const ViewSettings& view,
                          const ContextInfo& context)
-    : rows_(rows), widthAtOnce_(targetWidth(view))
+    : rows_(rows)
 {
     const auto make = [&](DataView data, int samples) {
         ViewSettings own = view;
@@ -74,6 +74,24 @@ LayerDrawer::LayerDrawer(const Scene& scene, const std::vector<LayerRow>& rows, 
         make(DataView::depth, view.samples);
 }
 
+BuildTimes LayerDrawer::times() const
+{
+    BuildTimes sum;
+    for (const auto& [view, drawn] : views_)
+        for (const auto part : {&BuildTimes::load, &BuildTimes::compile, &BuildTimes::firstDraw})
+            sum.*part += drawn.renderer->times().*part;
+    return sum;
+}
+
+std::vector<SourceText> LayerDrawer::shaders() const
+{
+    std::vector<SourceText> all;
+    for (const auto& [view, drawn] : views_)
+        for (const auto& part : drawn.renderer->parts())
+            all.push_back(part.shader);
+    return all;
+}
+
 std::vector<std::string> LayerDrawer::channels() const
 {
     std::vector<std::string> names;
@@ -84,7 +102,7 @@ std::vector<std::string> LayerDrawer::channels() const
 
 Picture LayerDrawer::sumsOf(DataView view, const PixelRectangle& region) const
 {
-    return drawSums(*views_.at(view).renderer, region, widthAtOnce_);
+    return drawSums(*views_.at(view).renderer, region);
 }
 
 std::vector<ExrLayer> LayerDrawer::draw(const PixelRectangle& region) const

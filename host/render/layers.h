@@ -37,6 +37,12 @@ public:
     // Names of the layers that draw() gives.
     std::vector<std::string> channels() const;
 
+    // What making them took.
+    BuildTimes times() const;
+
+    // What they are drawn by.
+    std::vector<SourceText> shaders() const;
+
     // Of a rectangle of the picture, as drawStill().
     std::vector<ExrLayer> draw(const PixelRectangle& region) const;
 
@@ -49,7 +55,6 @@ private:
     Picture sumsOf(DataView view, const PixelRectangle& region) const;
 
     std::vector<LayerRow> rows_;
-    int widthAtOnce_;
     std::map<DataView, DrawnView> views_;
 };
 

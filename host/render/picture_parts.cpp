@@ -114,12 +114,13 @@ void dropSmall(const Scene& scene, const Plan& plan, const std::vector<Seen>& ti
 std::vector<PixelRectangle> rectanglesOf(std::size_t which, const std::vector<std::size_t>& byTile, int width,
                                          int height)
 {
-    const int columns = (width + partTile_px - 1) / partTile_px;
+    const int side = partTile_px(width, height);
+    const int columns = (width + side - 1) / side;
     std::vector<PixelRectangle> done;
-    for (int row = 0; row * partTile_px < height; ++row) {
+    for (int row = 0; row * side < height; ++row) {
         const auto* tiles = &byTile[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns)];
-        const int y = row * partTile_px;
-        const int rowHeight = std::min(partTile_px, height - y);
+        const int y = row * side;
+        const int rowHeight = std::min(side, height - y);
         for (int first = 0; first < columns;) {
             int end = first;
             while (end < columns && tiles[end] == which)
@@ -128,8 +129,8 @@ std::vector<PixelRectangle> rectanglesOf(std::size_t which, const std::vector<st
                 ++first;
                 continue;
             }
-            const int x = first * partTile_px;
-            const int runWidth = std::min(end * partTile_px, width) - x;
+            const int x = first * side;
+            const int runWidth = std::min(end * side, width) - x;
             const auto below = std::ranges::find_if(done, [&](const PixelRectangle& r) {
                 return r.x == x && r.width == runWidth && r.y + r.height == y;
             });

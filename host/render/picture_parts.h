@@ -18,8 +18,16 @@ struct PicturePart {
     std::vector<PixelRectangle> rectangles; // in whole tiles, but for the picture's right and upper edge
 };
 
-// Of tiles: their sides, in pixels. Halved, they gain nothing more on llvmpipe.
-inline constexpr int partTile_px = 32;
+// Of tiles: their sides, in pixels. Halved, they gain nothing more on llvmpipe; doubled where a large picture
+// would have too many to look at each in no time.
+constexpr int partTile_px(int width, int height)
+{
+    constexpr double most = 1 << 18;
+    int side = 32;
+    while (static_cast<double>(width) * height / side / side > most)
+        side *= 2;
+    return side;
+}
 
 // By tile, row by row from the lower left, and by object: whether an eye ray of the tile may meet it. Errs
 // towards yes: by a quarter of a pixel, and by what floats lose.

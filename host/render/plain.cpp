@@ -48,20 +48,38 @@ PlainRenderer::PlainRenderer(const std::filesystem::path& shader, const ViewSett
       plain_(std::move(plain)), size_px_(view.width, view.height)
 {
     Stopwatch watch;
-    text_ = assemblePlain(shader, view.glslFolder, formOf(plain_, view, context));
     std::ranges::transform(plain_.channels, channels_.begin(), makeChannel);
     times_.load = watch.lap_ms();
-    program_ = buildProgram(text_.text);
+    build(formOf(plain_, view, context), view.glslFolder);
     times_.compile = watch.lap_ms();
-    if (text_.checksLoops && !program_.uniforms.contains(loopCheckUniform))
-        fail(ExitCode::badInput, {shader_.string()}, "it has a loop that never ends: no pixel is ever done",
-             "give the loop a condition, or a break that is reached");
     glUseProgram(program_.name.name());
     uniforms_ = feedOnce(program_, numbers(), plain_.values, shader_, text_.text);
     bind();
     drawFirst();
     wait();
     times_.firstDraw = watch.lap_ms();
+}
+
+// The check of loops may fail where the shader would not: its text is not looked at as closely as a compiler
+// does.
+void PlainRenderer::build(PlainForm form, const std::filesystem::path& glslFolder)
+{
+    text_ = assemblePlain(shader_, glslFolder, form);
+    if (text_.checksLoops) {
+        try {
+            program_ = buildProgram(text_.text);
+        } catch (const Error&) {
+            text_.checksLoops = false;
+        }
+    }
+    if (!text_.checksLoops) {
+        form.loopsMayBeEnded = false;
+        text_ = assemblePlain(shader_, glslFolder, form);
+        program_ = buildProgram(text_.text);
+    }
+    if (text_.checksLoops && !text_.discards && !program_.uniforms.contains(loopCheckUniform))
+        fail(ExitCode::badInput, {shader_.string()}, "it has a loop that never ends: no pixel is ever done",
+             "give the loop a condition, or a break that is reached");
 }
 
 void PlainRenderer::moveTo(const PlainFrame& frame)

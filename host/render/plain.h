@@ -47,6 +47,7 @@ protected:
     long passes() const override;
 
 private:
+    void build(PlainForm form, const std::filesystem::path& glslFolder);
     HostNumbers numbers() const; // of the frame
     void bind() const;           // program, channels and what the frame feeds
 

@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "render/endless_loop.h"
 #include "render/preprocess.h"
+#include "render/shader_tokens.h"
 
 #include <fmt/format.h>
 
@@ -107,14 +108,18 @@ std::string shadertoyHeader(const Names& names, const std::array<ChannelKind, 4>
 
 // The main() of the shader's own makes room for the host's, and the pixels of a tile have their places in the
 // whole picture.
-std::string frameHeader(const Names& names, const std::filesystem::path& shader, bool ownMain, bool inTiles)
+std::string frameHeader(const Names& names, const ShaderTokens& tokens, const std::filesystem::path& shader,
+                        bool ownMain, bool inTiles)
 {
     std::string text;
     if (ownMain && names.mentioned.contains("main") && !names.macros.contains("main"))
         text += "#define main mainOfTheShader\n";
     if (!inTiles)
         return text;
-    if (names.any({"origin_upper_left", "pixel_center_integer"}))
+    const auto declared = [](const ShaderToken& type, const ShaderToken& name) {
+        return type.text == "vec4" && name.text == "gl_FragCoord";
+    };
+    if (std::ranges::adjacent_find(tokens.all, declared) != tokens.all.end())
         fail(ExitCode::badInput, {shader.string()},
              "it declares gl_FragCoord anew, and in tiles that cannot be followed",
              "leave the declaration out, or draw a smaller --size");
@@ -135,39 +140,56 @@ std::string loopCheck()
                        loopCheckUniform);
 }
 
-// Where the shader's own main() writes, and the last component there: "fragColor" and 4. No name where
-// nothing is told of it.
+// Where the shader's own main() writes: "fragColor" of 4 components. No name where that cannot be told.
 struct Output {
     std::string name;
-    std::size_t components = 0;
+    int components = 0;
+    bool isFirst = false; // of several, by its layout
 };
 
-// Brackets that are open before the line's `end`th letter, when `depth` were before the line.
-int depthAt(const std::string& line, std::size_t end, int depth)
+// The components of a type of floats, 0 for any other.
+int componentsOf(std::string_view type)
 {
-    for (std::size_t i = 0; i < end; ++i)
-        depth += line[i] == '(' || line[i] == '{' ? 1 : line[i] == ')' || line[i] == '}' ? -1 : 0;
-    return depth;
+    const std::array<std::string_view, 4> types = {"float", "vec2", "vec3", "vec4"};
+    const auto found = std::ranges::find(types, type);
+    return found == types.end() ? 0 : static_cast<int>(found - types.begin()) + 1;
 }
 
-Output outputOf(const SourceText& source, const Names& names)
+// The declaration behind the "out" at `at`. No name for one of no floats, or of several numbers of them.
+Output declarationAt(const std::vector<ShaderToken>& all, std::size_t at)
 {
-    bool inComment = false;
-    int depth = 0; // in brackets
-    for (const auto& line : source) {
-        auto words = identifiers(line.text, inComment);
-        std::erase_if(words,
-                      [](auto word) { return word == "highp" || word == "mediump" || word == "lowp"; });
-        for (std::size_t i = 0; i + 2 < words.size(); ++i) {
-            const std::string_view type = words[i + 1];
-            const bool isOutput = words[i] == "out" && (type == "vec4" || type == "vec3" || type == "vec2");
-            const auto at = static_cast<std::size_t>(words[i].data() - line.text.data());
-            if (isOutput && depthAt(line.text, at, depth) == 0)
-                return {std::string(words[i + 2]), static_cast<std::size_t>(type.back() - '0')};
+    const auto word = [&](std::size_t i) { return i < all.size() ? all[i].text : std::string_view(); };
+    std::size_t next = at + 1;
+    while (word(next) == "highp" || word(next) == "mediump" || word(next) == "lowp")
+        ++next;
+    if (componentsOf(word(next)) == 0 || word(next + 2) != ";")
+        return {};
+    // layout ( location = 0 ) out
+    const bool first = at >= 3 && word(at - 1) == ")" && word(at - 2) == "0" && word(at - 3) == "=";
+    return {std::string(word(next + 1)), componentsOf(word(next)), first};
+}
+
+// The only output, or the one at location 0. None where conditionals decide.
+Output outputOf(const ShaderTokens& tokens, const Names& names)
+{
+    std::vector<Output> outputs;
+    for (std::size_t i = 0; i < tokens.all.size(); ++i) {
+        const auto& token = tokens.all[i];
+        if (token.text == "{" || (token.text == "(" && i > 0 && tokens.all[i - 1].text != "layout")) {
+            i = afterBracket(tokens.all, i) - 1; // a body, or a function's parameters
+        } else if (token.text == "out") {
+            outputs.push_back(declarationAt(tokens.all, i));
+            if (token.depth > 0)
+                outputs.back() = {};
         }
-        depth = depthAt(line.text, line.text.size(), depth);
     }
-    return names.mentioned.contains("gl_FragColor") ? Output{"gl_FragColor", 4} : Output{};
+    if (outputs.size() == 1)
+        return outputs.front();
+    for (const auto& output : outputs)
+        if (output.isFirst)
+            return output;
+    return outputs.empty() && names.mentioned.contains("gl_FragColor") ? Output{"gl_FragColor", 4, true}
+                                                                       : Output{};
 }
 
 // Names of one letter are often macros of the shader: none stands here.
@@ -185,8 +207,9 @@ std::string frameMain(const Output& output, bool mainImage, bool checksLoops)
                         "    dioptre_pixel[3] = 1.0;\n"
                       : "    mainOfTheShader();\n";
     if (checksLoops)
-        text += fmt::format("    if (dioptre_loopsWereEnded())\n        {}[{}] = uintBitsToFloat({}u);\n",
-                            output.name, output.components - 1, loopsWereEnded);
+        text += fmt::format(
+            "    if (dioptre_loopsWereEnded())\n        {}{} = uintBitsToFloat({}u);\n", output.name,
+            output.components > 1 ? fmt::format("[{}]", output.components - 1) : "", loopsWereEnded);
     return text + "}\n";
 }
 
@@ -204,20 +227,23 @@ PlainText assemblePlain(const std::filesystem::path& shader, const std::filesyst
     input.folders = {shader.has_parent_path() ? shader.parent_path() : ".", glslFolder};
     const SourceText body = preprocess(withoutVersion(readSource(shader)), input);
     refuseEndlessLoops(body);
+    const ShaderTokens tokens = tokensOf(body);
     const Names names = namesOf(body);
     PlainText plain;
     plain.mainImage = names.mentioned.contains("mainImage");
     if (!plain.mainImage && !names.mentioned.contains("main"))
         fail(ExitCode::badInput, {shader.string()}, "neither main() nor mainImage() is in it",
              "write void mainImage(out vec4 fragColor, in vec2 fragCoord), as on Shadertoy, or void main()");
-    const Output output = plain.mainImage ? Output{"dioptre_pixel", 4} : outputOf(body, names);
+    const Output output = plain.mainImage ? Output{"dioptre_pixel", 4, true} : outputOf(tokens, names);
+    plain.discards = names.mentioned.contains("discard");
     plain.checksLoops = form.loopsMayBeEnded && !output.name.empty() && !names.macros.contains("main") &&
                         names.any({"for", "while", "do"});
     const bool ownMain = plain.mainImage || plain.checksLoops;
     std::string header = "#version 330 core\n" + builtIns(names);
     if (plain.mainImage)
         header += shadertoyHeader(names, form.channels);
-    append(plain.text, linesOf(header + frameHeader(names, shader, ownMain, form.inTiles), "generated"));
+    append(plain.text,
+           linesOf(header + frameHeader(names, tokens, shader, ownMain, form.inTiles), "generated"));
     append(plain.text, body);
     if (ownMain)
         append(plain.text, linesOf(frameMain(output, plain.mainImage, plain.checksLoops), "generated"));

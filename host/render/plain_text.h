@@ -33,6 +33,7 @@ inline constexpr const char* loopCheckUniform = "dioptre_two";
 struct PlainText {
     SourceText text;
     bool mainImage = false;   // Shadertoy's convention
+    bool discards = false;    // it mentions discard
     bool checksLoops = false; // a pixel whose loops were ended holds `loopsWereEnded` in one of its channels
 };
 

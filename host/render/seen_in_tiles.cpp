@@ -109,11 +109,12 @@ std::vector<std::vector<bool>> seenInTiles(const Scene& scene, int width, int he
     const auto view = [&](double x_px, double y_px) {
         return half * glm::dvec2(2.0 * x_px - width, 2.0 * y_px - height) / static_cast<double>(height);
     };
+    const int side = partTile_px(width, height);
     std::vector<std::vector<bool>> tiles;
-    for (int y = 0; y < height; y += partTile_px) {
-        for (int x = 0; x < width; x += partTile_px) {
-            const int right = std::min(x + partTile_px, width);
-            const int top = std::min(y + partTile_px, height);
+    for (int y = 0; y < height; y += side) {
+        for (int x = 0; x < width; x += side) {
+            const int right = std::min(x + side, width);
+            const int top = std::min(y + side, height);
             const auto pyramid = pyramidOf(frame, view(x - margin_px, y - margin_px),
                                            view(right + margin_px, top + margin_px));
             auto& seen = tiles.emplace_back();

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cmath>
+#include <vector>
 
 namespace dioptre
 {
@@ -39,38 +40,53 @@ PixelCounts meansOfSums(Picture& picture, int samples)
 namespace
 {
 
+// The blocks of a rectangle, none larger than the target.
+std::vector<PixelRectangle> blocksOf(const PixelRectangle& region, const Drawing& drawing)
+{
+    std::vector<PixelRectangle> blocks;
+    for (int y = 0; y < region.height; y += drawing.heightAtOnce())
+        for (int x = 0; x < region.width; x += drawing.widthAtOnce())
+            blocks.push_back({region.x + x, region.y + y, std::min(drawing.widthAtOnce(), region.width - x),
+                              std::min(drawing.heightAtOnce(), region.height - y)});
+    return blocks;
+}
+
 // What is read, and the times of drawing and reading.
-Still drawColumns(Drawing& drawing, const PixelRectangle& region, int widthAtOnce, const Progress& progress)
+Still drawBlocks(Drawing& drawing, const PixelRectangle& region, const Progress& progress)
 {
     Still still;
     still.picture = blankFloats(region.width, region.height);
     Stopwatch watch;
-    for (int x = 0; x < region.width; x += widthAtOnce) {
-        const int width = std::min(widthAtOnce, region.width - x);
-        const auto ofAll = [&](double share) { progress((x + share * width) / region.width); };
-        drawing.show({region.x + x, region.y, width, region.height});
+    double done = 0.0; // pixels
+    for (const auto& block : blocksOf(region, drawing)) {
+        const auto pixels = static_cast<double>(block.area());
+        const auto ofAll = [&](double share) {
+            progress((done + share * pixels) / static_cast<double>(region.area()));
+        };
+        drawing.show(block);
         drawing.draw(progress ? Progress(ofAll) : Progress());
         still.phases.draw += watch.lap_ms();
-        drawing.readInto(still.picture, x, 0);
+        drawing.readInto(still.picture, block.x - region.x, block.y - region.y);
         still.phases.read += watch.lap_ms();
+        done += pixels;
     }
     return still;
 }
 
 } // namespace
 
-Still drawStill(Drawing& drawing, const PixelRectangle& region, int widthAtOnce, const Progress& progress)
+Still drawStill(Drawing& drawing, const PixelRectangle& region, const Progress& progress)
 {
-    Still still = drawColumns(drawing, region, widthAtOnce, progress);
+    Still still = drawBlocks(drawing, region, progress);
     Stopwatch watch;
     still.counts = drawing.finish(still.picture);
     still.phases.read += watch.lap_ms();
     return still;
 }
 
-Picture drawSums(Drawing& drawing, const PixelRectangle& region, int widthAtOnce)
+Picture drawSums(Drawing& drawing, const PixelRectangle& region)
 {
-    return drawColumns(drawing, region, widthAtOnce, {}).picture;
+    return drawBlocks(drawing, region, {}).picture;
 }
 
 } // namespace dioptre

@@ -27,13 +27,12 @@ struct Still {
     Phases phases; // draw and read
 };
 
-// Draws a rectangle of the picture, which begins at multiples of 64 pixels, in as many columns as the
-// drawing's target asks for. `widthAtOnce`: of the target.
-Still drawStill(Drawing& drawing, const PixelRectangle& region, int widthAtOnce,
-                const Progress& progress = {});
+// Draws a rectangle of the picture, which begins at multiples of 64 pixels, in as many blocks as the
+// drawing's target asks for; its sides are multiples of 64 where there are several.
+Still drawStill(Drawing& drawing, const PixelRectangle& region, const Progress& progress = {});
 
 // The same without turning into means what was read.
-Picture drawSums(Drawing& drawing, const PixelRectangle& region, int widthAtOnce);
+Picture drawSums(Drawing& drawing, const PixelRectangle& region);
 
 // Turns sums of `samples` in rgb into means, alpha, which counted rays, into 1, and counts.
 PixelCounts meansOfSums(Picture& picture, int samples);

@@ -32,7 +32,7 @@ Picture inBands(Drawing& drawing)
 {
     Picture all = blankFloats(width, height);
     for (int y = 0; y < height; y += 64) {
-        const Still band = drawStill(drawing, {0, y, width, std::min(64, height - y)}, 64);
+        const Still band = drawStill(drawing, {0, y, width, std::min(64, height - y)});
         std::ranges::copy(band.picture.floats, all.floats.begin() + 4L * width * y);
     }
     return all;
@@ -40,7 +40,7 @@ Picture inBands(Drawing& drawing)
 
 Picture atOnce(Drawing& drawing)
 {
-    return drawStill(drawing, {0, 0, width, height}, width).picture;
+    return drawStill(drawing, {0, 0, width, height}).picture;
 }
 
 void expectPartsAreTheWhole(const Scene& scene, const ViewSettings& parts)

@@ -32,8 +32,7 @@ public:
     {
         moveTo(prepared_, scene_(time_s), settings_);
         renderer_.update(prepared_);
-        return drawStill(renderer_, {0, 0, settings_.width, settings_.height}, settings_.width)
-            .picture.floats;
+        return drawStill(renderer_, {0, 0, settings_.width, settings_.height}).picture.floats;
     }
 
     std::vector<float> freshAt(double time_s) const

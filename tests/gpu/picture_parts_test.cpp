@@ -42,12 +42,12 @@ std::optional<std::size_t> objectAt(const Picture& view, std::size_t pixel, std:
 std::size_t missed(const Scene& scene, const Picture& view, std::size_t& met)
 {
     const auto tiles = seenInTiles(scene, view.width, view.height);
-    const auto columns = static_cast<std::size_t>((view.width + partTile_px - 1) / partTile_px);
+    const auto columns = static_cast<std::size_t>((view.width + 31) / 32);
     std::size_t count = 0;
     for (std::size_t pixel = 0; pixel < view.floats.size() / 4; ++pixel) {
         const auto object = objectAt(view, pixel, scene.objects.size());
         const auto width = static_cast<std::size_t>(view.width);
-        const auto tile = pixel / width / partTile_px * columns + pixel % width / partTile_px;
+        const auto tile = pixel / width / 32 * columns + pixel % width / 32;
         met += object ? 1 : 0;
         count += object && !tiles.at(tile).at(*object) ? 1 : 0;
     }

@@ -77,7 +77,7 @@ Rendered renderPrepared(const PreparedScene& prepared, const ViewSettings& setti
 {
     Renderer renderer(prepared, settings, contextFor(backend));
     const PixelRectangle whole{0, 0, settings.width, settings.height};
-    Still still = drawStill(renderer, whole, targetWidth(settings));
+    Still still = drawStill(renderer, whole);
     Rendered rendered{renderer.facts(), std::move(still.picture), still.counts, 0.0};
     rendered.raysPerSample = still.counts.rays / static_cast<double>(whole.area()) / settings.samples;
     return rendered;
