@@ -114,10 +114,11 @@ PictureFigures drawPicture(PictureDrawer& drawer, const RenderOptions& options, 
         if (!options.view.empty() && band.height == rows.height) {
             ShownView shown = shownView(drawn.still.picture, *drawer.prepared());
             figures.legend = std::move(shown.legend);
-            form.legend = &*figures.legend;
             form.isShownView = isForTheEye(options);
-            if (form.isShownView)
+            if (form.isShownView) { // numbers stand for themselves, and a tile's legend is not the picture's
+                form.legend = &*figures.legend;
                 drawn.still.picture = std::move(shown.picture);
+            }
         }
         if (!writer)
             writer = open(options, form, rows.height, video);
