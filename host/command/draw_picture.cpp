@@ -82,8 +82,6 @@ PixelRectangle rowsOf(const RenderOptions& options)
 int rowsAtOnce(const RenderOptions& options)
 {
     const PixelRectangle rows = rowsOf(options);
-    if (options.reference)
-        return 64; // between two of its bands a signal is heard
     if (options.view.empty())
         return rowsAtOnce(rows.width, rows.height);
     if (rows.area() <= mostOfAView_px && options.tile.empty())
