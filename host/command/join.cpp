@@ -6,6 +6,7 @@
 #include "command/join_parts.h"
 #include "command/json_text.h"
 #include "command/progress.h"
+#include "command/render_steps.h"
 
 #include <fmt/format.h>
 
@@ -82,19 +83,10 @@ ExitCode joinTiles(const JoinOptions& options)
              fmt::format("-o {} is of another kind than the parts, which are {}", options.output,
                          nameOf(picture.kind)),
              "name FILE as the parts are");
-    int signal = 0;
-    {
-        const Interruption interruption;
-        try {
-            write(stackOf(picture), options.output);
-        } catch (const Error&) {
-            signal = Interruption::signal();
-            if (signal == 0)
-                throw;
-        }
-    }
-    if (signal != 0)
+    if (const int signal = signalDuring([&] { write(stackOf(picture), options.output); }); signal != 0) {
+        fmt::print(stderr, "dioptre: stopped by a signal, and nothing was written\n");
         endBySignal(signal);
+    }
     printReport(options, picture, whole.lap_ms());
     return ExitCode::done;
 }
