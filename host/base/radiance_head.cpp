@@ -14,11 +14,6 @@ namespace dioptre
 namespace
 {
 
-void append(void* text, void* bytes, int size)
-{
-    static_cast<std::string*>(text)->append(static_cast<const char*>(bytes), static_cast<std::size_t>(size));
-}
-
 // KEY=VALUE lines, as Radiance's own tools write them; a line break in a value would end the line.
 std::string headerLines(const Settings& settings)
 {
@@ -41,11 +36,16 @@ std::string nextLine(const std::filesystem::path& path, std::istream& in)
 
 } // namespace
 
+void appendTo(void* text, void* bytes, int size)
+{
+    static_cast<std::string*>(text)->append(static_cast<const char*>(bytes), static_cast<std::size_t>(size));
+}
+
 std::string radianceText(const RadianceHead& head)
 {
     std::string text;
     const std::array<float, 3> black{};
-    stbi_write_hdr_to_func(append, &text, 1, 1, 3, black.data());
+    stbi_write_hdr_to_func(appendTo, &text, 1, 1, 3, black.data());
     text.resize(text.find("\n\n") + 2); // what follows is that pixel's
     text.insert(text.find('\n') + 1, headerLines(head.settings));
     return text + fmt::format("-Y {} +X {}\n", head.height, head.width);

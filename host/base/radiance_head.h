@@ -14,6 +14,9 @@ struct RadianceHead {
     Settings settings{};
 };
 
+// What stb calls with bytes; `text` is the std::string that they are added to.
+void appendTo(void* text, void* bytes, int size);
+
 // As stb writes it, with the settings below its first line: KEY=VALUE, one a line.
 std::string radianceText(const RadianceHead& head);
 

@@ -34,11 +34,6 @@ std::array<float, 3> nearestRgbe(const float* rgb)
     return numbers;
 }
 
-void append(void* text, void* bytes, int size)
-{
-    static_cast<std::string*>(text)->append(static_cast<const char*>(bytes), static_cast<std::size_t>(size));
-}
-
 // Rows [first, end) of a band, from the upper to the lower, as they stand in a file.
 std::string encodeRows(const Picture& band, std::size_t first, std::size_t end)
 {
@@ -51,7 +46,7 @@ std::string encodeRows(const Picture& band, std::size_t first, std::size_t end)
             numbers.insert(numbers.end(), rgbe.begin(), rgbe.end());
         }
     std::string bytes;
-    stbi_write_hdr_to_func(append, &bytes, band.width, static_cast<int>(end - first), 3, numbers.data());
+    stbi_write_hdr_to_func(appendTo, &bytes, band.width, static_cast<int>(end - first), 3, numbers.data());
     // Without stb's text.
     return bytes.substr(bytes.find('\n', bytes.find("\n\n") + 2) + 1);
 }

@@ -82,8 +82,6 @@ PixelRectangle rowsOf(const RenderOptions& options)
 int rowsAtOnce(const RenderOptions& options)
 {
     const PixelRectangle rows = rowsOf(options);
-    if (options.reference)
-        return 64; // between two of its bands a signal is heard
     if (options.view.empty())
         return rowsAtOnce(rows.width, rows.height);
     if (rows.area() <= mostOfAView_px && options.tile.empty())
@@ -114,10 +112,11 @@ PictureFigures drawPicture(PictureDrawer& drawer, const RenderOptions& options, 
         if (!options.view.empty() && band.height == rows.height) {
             ShownView shown = shownView(drawn.still.picture, *drawer.prepared());
             figures.legend = std::move(shown.legend);
-            form.legend = &*figures.legend;
             form.isShownView = isForTheEye(options);
-            if (form.isShownView)
+            if (form.isShownView) { // numbers stand for themselves, and a tile's legend is not the picture's
+                form.legend = &*figures.legend;
                 drawn.still.picture = std::move(shown.picture);
+            }
         }
         if (!writer)
             writer = open(options, form, rows.height, video);

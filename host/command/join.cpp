@@ -70,9 +70,10 @@ ExitCode joinTiles(const JoinOptions& options)
              fmt::format("-o {} is of another kind than the parts, which are {}", options.output,
                          nameOf(picture.kind)),
              "name FILE as the parts are");
-    const int signal = signalDuring([&] { write(stackOf(picture), options.output); });
-    if (signal != 0)
+    if (const int signal = signalDuring([&] { write(stackOf(picture), options.output); }); signal != 0) {
+        fmt::print(stderr, "dioptre: stopped by a signal, and nothing was written\n");
         endBySignal(signal);
+    }
     printReport(options, picture, whole.lap_ms());
     return ExitCode::done;
 }

@@ -28,7 +28,7 @@ struct StillForm {
     ContextInfo context;
     std::optional<Display> display;     // none for a plain shader, whose numbers are not encoded
     std::vector<std::string> layers;    // channels beside the colours, in an EXR alone
-    const ViewLegend* legend = nullptr; // of a view that is written at once
+    const ViewLegend* legend = nullptr; // of what is shown of a view
     bool isShownView = false;           // a PNG is given what is shown of a view
 };
 

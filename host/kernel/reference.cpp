@@ -1,5 +1,6 @@
 #include "kernel/reference.h"
 
+#include "base/interruption.h"
 #include "base/parallel.h"
 #include "kernel/sampler.h"
 
@@ -192,6 +193,7 @@ static void setUniforms(const PackedScene& scene, const ShapeTable& table, int w
 static void renderRow(const PackedScene& scene, const vec2& corner, int y, int samples, Picture& picture)
 {
     for (int x = 0; x < picture.width; ++x) {
+        Interruption::check(); // a pixel of many samples takes a while
         vec4 sum(0.0);
         for (int i = 0; i < samples; ++i)
             sum += traceTree(scene, eyePath(corner + vec2(x + 0.5, y + 0.5) + sampleOffset(i)));

@@ -12,7 +12,7 @@ namespace dioptre
 
 // Renders a part of a picture of width x height pixels on all cores with the settings that the scene carries,
 // `samples` a pixel. float32 means of the samples, rows from the bottom up; alpha holds the rays traced a
-// sample.
+// sample. Throws retry where an Interruption was noted.
 Picture renderReference(const PackedScene& scene, int width, int height, int samples,
                         const PixelRectangle& region);
 

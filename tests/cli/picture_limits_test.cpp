@@ -29,33 +29,33 @@ constexpr std::int32_t lowest = std::numeric_limits<std::int32_t>::min();
 constexpr std::int32_t highest = std::numeric_limits<std::int32_t>::max();
 constexpr Window tiny{0, 0, 3, 3};
 constexpr Window billion{0, 0, 1'000'000'000, 1'000'000'000};
-const std::string limit = "at most 16384 texels on a side and 134217728 in all, as 16384x8192 has";
+const std::string texelLimit = "at most 16384 texels on a side and 134217728 in all, as 16384x8192 has";
 
 // An EXR's name ends in .exr: OpenEXR is asked by content, and the message names the file.
 const std::vector<Forged>& forgedPictures()
 {
     static const std::vector<Forged> pictures = {
-        {"PngOf60000", "b.png", forgedPng(60000, 60000), limit},
+        {"PngOf60000", "b.png", forgedPng(60000, 60000), texelLimit},
         {"PngWithoutWidth", "b.png", forgedPng(0, 5), "width"},
-        {"PngOf31Bits", "b.png", forgedPng(highest, highest), limit},
+        {"PngOf31Bits", "b.png", forgedPng(highest, highest), texelLimit},
         {"PngOf32Bits", "b.png", forgedPng(0xFFFFFFFFU, 5), "width"},
         {"PngOfAFewBytes", "b.png", forgedPng(16384, 8192), "takes 130055 bytes or more"},
         {"PngOfAFewDeepBytes", "b.png", forgedPng(16384, 8192, 16), "takes 260111 bytes or more"},
         {"PngCutShort", "b.png", blackPng(640, 480).substr(0, 100), "broken or cut short"},
-        {"PngBomb", "b.png", blackPng(16384, 16384), limit},
+        {"PngBomb", "b.png", blackPng(16384, 16384), texelLimit},
         {"PngWithABombOfText", "b.png", pngWithText(std::size_t{72} << 20), "broken"},
-        {"JpegOf65500", "b.jpg", forgedJpeg(65500, 65500), limit},
+        {"JpegOf65500", "b.jpg", forgedJpeg(65500, 65500), texelLimit},
         {"JpegOfAFewBytes", "b.jpg", forgedJpeg(16384, 8192), "takes 65536 bytes or more"},
         {"JpegWithoutHeight", "b.jpg", forgedJpeg(640, 0), "header"},
         {"JpegCutShort", "b.jpg", forgedJpeg(640, 480), "broken or cut short"},
-        {"RadianceOf100000", "b.hdr", forgedRadiance("-Y 100000 +X 100000"), limit},
-        {"RadianceOfManyDigits", "b.hdr", forgedRadiance("-Y 99999999999999999999 +X 8"), limit},
+        {"RadianceOf100000", "b.hdr", forgedRadiance("-Y 100000 +X 100000"), texelLimit},
+        {"RadianceOfManyDigits", "b.hdr", forgedRadiance("-Y 99999999999999999999 +X 8"), texelLimit},
         {"RadianceBelowZero", "b.hdr", forgedRadiance("-Y -5 +X 8"), "8x-5"},
         {"RadianceOfAFewBytes", "b.hdr", forgedRadiance("-Y 8192 +X 16384"), "takes 65536 bytes or more"},
-        {"ExrOfABillion", "b.exr", forgedExr(billion, billion), limit},
-        {"ExrOnADisplayOfABillion", "b.exr", forgedExr(tiny, billion), limit},
-        {"ExrOfABillionOnASmallDisplay", "b.exr", forgedExr(billion, tiny), limit},
-        {"ExrOfAllNumbers", "b.exr", forgedExr({lowest, lowest, highest, highest}, tiny), limit},
+        {"ExrOfABillion", "b.exr", forgedExr(billion, billion), texelLimit},
+        {"ExrOnADisplayOfABillion", "b.exr", forgedExr(tiny, billion), texelLimit},
+        {"ExrOfABillionOnASmallDisplay", "b.exr", forgedExr(billion, tiny), texelLimit},
+        {"ExrOfAllNumbers", "b.exr", forgedExr({lowest, lowest, highest, highest}, tiny), texelLimit},
         {"ExrAtTheHighestNumbers", "b.exr",
          forgedExr({highest - 3, highest - 3, highest, highest},
                    {highest - 3, highest - 3, highest, highest}),
