@@ -170,8 +170,9 @@ TEST_F(JoinCommand, TilesOfDifferentPictures_AreRefusedAndTheDifferenceIsNamed)
     other = {};
     other.hash = "fedcba9876543210";
     writeTile("2.png", other, 2, 2);
-    expectRefused("1.png 2.png -o old.png", 65,
-                  {"2.png: was drawn from another scene, other shaders or pictures, or with other options than 1.png"});
+    expectRefused(
+        "1.png 2.png -o old.png", 65,
+        {"2.png: was drawn from another scene, other shaders or pictures, or with other options than 1.png"});
     writeTile("2.png", {.form = {.encode = true, .gamma = {}, .bits = 16}}, 2, 2);
     expectRefused("1.png 2.png -o old.png", 65,
                   {"2.png: holds 16 bits a channel, and 1.png holds 8 bits a channel"});
