@@ -44,7 +44,7 @@ const std::vector<Case> usageCases = {
      69,
      {"egl-surfaceless", "egl-device", "egl-default"}},
 
-    {"SizeOfNothing", "", "dioptre render still_life --size 0x0 -o a.png", 2, {"0x0", "16384"}},
+    {"SizeOfNothing", "", "dioptre render still_life --size 0x0 -o a.png", 2, {"0x0", "131072"}},
     {"SizeBelowZero", "", "dioptre render still_life --size -1x5 -o a.png", 2, {"-1x5", "WIDTHxHEIGHT"}},
     {"SizeWithExponents", "", "dioptre render still_life --size 1e9x1e9 -o a.png", 2, {"1e9x1e9"}},
     {"SizeOfManyDigits", "", "dioptre render still_life --size 99999999999x1 -o a.png", 2, {"99999999999x1"}},
