@@ -109,11 +109,11 @@ PictureFigures drawPicture(PictureDrawer& drawer, const RenderOptions& options, 
         PictureDrawer::Band drawn = drawer.draw(band, progress ? Progress(ofAll) : Progress());
         addTo(figures, drawn.still);
         Stopwatch watch;
-        if (!options.view.empty() && band.height == rows.height) {
+        if (!options.view.empty() && band.height == options.height) {
             ShownView shown = shownView(drawn.still.picture, *drawer.prepared());
             figures.legend = std::move(shown.legend);
             form.isShownView = isForTheEye(options);
-            if (form.isShownView) { // numbers stand for themselves, and a tile's legend is not the picture's
+            if (form.isShownView) { // numbers stand for themselves
                 form.legend = &*figures.legend;
                 drawn.still.picture = std::move(shown.picture);
             }
