@@ -199,7 +199,7 @@ TEST_F(Tiles, OfAnotherText_PictureOrChannel_AreRefused)
                   .code,
               0);
     const std::string says =
-        "2.png: was drawn from another scene, other shaders or other pictures than 1.png";
+        "2.png: was drawn from another scene, other shaders or pictures, or with other options than 1.png";
     auto error = refusalOf("dioptre join 1.png 2.png -o joined.png", 65);
     EXPECT_NE(error.find(says), std::string::npos) << error;
     const std::string paint = "dioptre render ball.toml --size 8x8 -o channel.png --spp ";
