@@ -84,6 +84,8 @@ std::size_t numbersOf(const UniformType& type, const ActiveUniform& uniform)
 bool fits(const UniformType& type, double value)
 {
     const bool whole = std::floor(value) == value;
+    if (type.name[0] == 'b') // bool, bvec
+        return value == 0.0 || value == 1.0;
     switch (type.numbers) {
     case Numbers::ints:
         return whole && std::abs(value) <= 2147483647.0;

@@ -47,11 +47,14 @@ Names namesOf(const SourceText& source)
 // left out.
 SourceText withoutVersion(SourceText source)
 {
+    bool inComment = false;
     for (auto& line : source) {
         const auto start = line.text.find_first_not_of(" \t");
-        if (start == std::string::npos || line.text.compare(start, 8, "#version") != 0)
+        const bool directive = !inComment && start != std::string::npos && line.text[start] == '#';
+        const auto words = identifiers(line.text, inComment);
+        if (!directive || words.empty() || words.front() != "version")
             continue;
-        const auto version = line.text.substr(start + 8);
+        const std::string_view version(words.front().end(), line.text.data() + line.text.size());
         if (version.find("330") == std::string::npos && version.find("300 es") == std::string::npos)
             fail(ExitCode::badInput, {line.file, line.line, 1},
                  "'" + line.text + "' is not a version that dioptre runs",

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 
@@ -75,6 +76,26 @@ TEST_F(PictureOfBands, HasEachPixelInItsPlace)
             if ((there.x != x || there.y != y) && ++misplaced < 10)
                 ADD_FAILURE() << "at " << x << "," << y << " is the pixel of " << there.x << "," << there.y;
         }
+    EXPECT_EQ(misplaced, 0U);
+}
+
+// Fewer pixels than a band has, and more rows than are drawn at once.
+TEST_F(PictureOfBands, ThatIsTallAndNarrow_HasEachPixelInItsPlace)
+{
+    std::ofstream(folder / "tall.frag")
+        << "void mainImage(out vec4 o, in vec2 p)\n{\n"
+           "    p = floor(p);\n"
+           "    o = vec4(mod(p.y, 256.0), floor(p.y / 256.0), p.x, 255.0) / 255.0;\n}\n";
+    ASSERT_EQ(here("dioptre render tall.frag -o a.exr --size 3x16000").code, 0);
+    const auto picture = readPicture(folder / "a.exr");
+    ASSERT_EQ(picture.height, 16000);
+    std::size_t misplaced = 0;
+    for (std::size_t pixel = 0; pixel < 3 * 16000; ++pixel) {
+        const float* rgb = &picture.floats[4 * pixel];
+        const float y = std::round(255.0F * rgb[0]) + 256.0F * std::round(255.0F * rgb[1]);
+        misplaced += y != static_cast<float>(pixel / 3) ||
+                     std::round(255.0F * rgb[2]) != static_cast<float>(pixel % 3);
+    }
     EXPECT_EQ(misplaced, 0U);
 }
 
