@@ -210,6 +210,21 @@ TEST_F(Tiles, OfAnotherText_PictureOrChannel_AreRefused)
     EXPECT_FALSE(isThere("joined.png"));
 }
 
+// The light's shader is the same: only that of the layer differs.
+TEST_F(Tiles, OfAnotherLayersShader_AreRefused)
+{
+    const std::string copy = "cp -r '" DIOPTRE_SOURCE_DIR
+                             "/glsl' edited && sed -i 's/vec3(hit.t, 1.0, 0.0)/vec3(2.0 * hit.t, 1.0, 0.0)/' "
+                             "edited/trace/first_hit.glsl";
+    const std::string half = " --spp 1 --layers depth" + oddSize;
+    ASSERT_EQ(here(copy + " && dioptre render ball.toml --tile 1/2 -o 1.exr" + half +
+                   " && DIOPTRE_GLSL=edited dioptre render ball.toml --tile 2/2 -o 2.exr" + half)
+                  .code,
+              0);
+    const auto error = refusalOf("dioptre join 1.exr 2.exr -o joined.exr", 65);
+    EXPECT_NE(error.find("other shaders"), std::string::npos) << error;
+}
+
 TEST_F(Tiles, ThatAreNone_AreRefusedBeforeAnythingIsDrawn)
 {
     for (const std::string tile : {"0/3", "4/3", "1/0", "0/0", "-1/3", "1/-3", "a/b", "1", "1/", "/3", "1/3x",
