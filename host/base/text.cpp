@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cstddef>
 
 namespace dioptre
@@ -76,6 +77,18 @@ unsigned long long fingerprint(std::string_view bytes)
         hash *= 0x100000001b3ull;
     }
     return hash;
+}
+
+bool readPair(std::string_view text, char between, int& first, int& second)
+{
+    constexpr int most = 1'000'000; // products of two fit
+    const char* end = text.data() + text.size();
+    const auto [middle, fault] = std::from_chars(text.data(), end, first);
+    if (fault != std::errc() || middle == end || *middle != between)
+        return false;
+    const auto [last, secondFault] = std::from_chars(middle + 1, end, second);
+    return secondFault == std::errc() && last == end && std::min(first, second) >= 1 &&
+           std::max(first, second) <= most;
 }
 
 } // namespace dioptre

@@ -27,4 +27,7 @@ std::vector<std::string> keysOf(const Map& map)
 // 64-bit FNV-1a of the bytes: the fingerprint under which shader texts and settings are compared.
 unsigned long long fingerprint(std::string_view bytes);
 
+// "2/8", "640x360": whole numbers from 1 to a million with `between` between them. False for anything else.
+bool readPair(std::string_view text, char between, int& first, int& second);
+
 } // namespace dioptre

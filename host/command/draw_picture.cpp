@@ -2,12 +2,11 @@
 
 #include "base/clock.h"
 #include "base/interruption.h"
+#include "base/text.h"
 #include "base/tile_rows.h"
 #include "render/bands.h"
 
 #include <fmt/format.h>
-
-#include <charconv>
 
 namespace dioptre
 {
@@ -22,11 +21,7 @@ TileRows tileNamed(const std::string& text, int height)
 {
     int tile = 0;
     int tiles = 0;
-    const char* end = text.data() + text.size();
-    const auto first = std::from_chars(text.data(), end, tile);
-    const bool slash = first.ec == std::errc() && first.ptr != end && *first.ptr == '/';
-    const auto second = slash ? std::from_chars(first.ptr + 1, end, tiles) : first;
-    if (!slash || second.ec != std::errc() || second.ptr != end || tile < 1 || tile > tiles)
+    if (!readPair(text, '/', tile, tiles) || tile > tiles)
         fail(ExitCode::usage, fmt::format("--tile {} is no tile", text),
              "write I/N, the I-th of N from the top, as in --tile 1/4");
     if (tiles > mostTiles(height))
@@ -69,8 +64,7 @@ bool isForTheEye(const RenderOptions& options)
     return extension != ".exr" && extension != ".hdr";
 }
 
-} // namespace
-
+// The rows of the picture that the options ask for: those of a tile, or all. Throws usage.
 PixelRectangle rowsOf(const RenderOptions& options)
 {
     if (options.tile.empty())
@@ -78,6 +72,8 @@ PixelRectangle rowsOf(const RenderOptions& options)
     const TileRows rows = tileNamed(options.tile, options.height);
     return {0, rows.first, options.width, rows.count};
 }
+
+} // namespace
 
 int rowsAtOnce(const RenderOptions& options)
 {

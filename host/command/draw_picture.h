@@ -20,15 +20,12 @@ struct PictureFigures {
     }
 };
 
-// The rows of the picture that the options ask for: those of a tile, or all. Throws usage.
-PixelRectangle rowsOf(const RenderOptions& options);
-
-// How many of them are drawn at once. A view for the eye looks at the whole picture: throws usage where it is
-// too large.
+// How many rows of what the options ask for are drawn at once. A view for the eye looks at the whole picture:
+// throws usage where it is too large.
 int rowsAtOnce(const RenderOptions& options);
 
-// Draws `rows` as they are at the drawer's time and writes them: to the file that the options name, or as the
-// next frame of `video` where there is one.
+// Draws what the options ask for, as it is at the drawer's time, and writes it: to the file that the options
+// name, or as the next frame of `video` where there is one.
 PictureFigures drawPicture(PictureDrawer& drawer, const RenderOptions& options, Video* video,
                            const Progress& progress);
 

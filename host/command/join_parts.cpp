@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 namespace dioptre
 {
@@ -31,19 +30,6 @@ std::string valueOf(const Settings& settings, std::string_view key)
 {
     const auto found = settings.find(std::string(key));
     return found == settings.end() ? "" : found->second;
-}
-
-// Two whole numbers above 0 with `between` between them; so small that products of them fit.
-bool readPair(std::string_view text, char between, int& first, int& second)
-{
-    constexpr int most = 1'000'000;
-    const char* end = text.data() + text.size();
-    const auto [middle, fault] = std::from_chars(text.data(), end, first);
-    if (fault != std::errc() || middle == end || *middle != between)
-        return false;
-    const auto [last, secondFault] = std::from_chars(middle + 1, end, second);
-    return secondFault == std::errc() && last == end && std::min(first, second) >= 1 &&
-           std::max(first, second) <= most;
 }
 
 TilePart readPart(const std::string& path)

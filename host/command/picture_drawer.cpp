@@ -13,12 +13,11 @@
 
 namespace dioptre
 {
-
 namespace
 {
 
-constexpr int sideAtOnce =
-    8192; // that is drawn at once, in pixels; every driver can, and it is a multiple of 64
+// Pixels on a side that are drawn at once: every driver can, and it is a multiple of 64.
+constexpr int sideAtOnce = 8192;
 
 ViewSettings viewSettingsOf(const RenderOptions& options, int rowsAtOnce)
 {

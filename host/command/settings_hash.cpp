@@ -1,9 +1,7 @@
 #include "command/settings_hash.h"
 
-#include "base/file.h"
 #include "base/text.h"
 #include "command/still_writer.h"
-#include "render/assemble.h"
 
 #include <fmt/format.h>
 

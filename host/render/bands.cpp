@@ -5,10 +5,10 @@
 namespace dioptre
 {
 
-int rowsAtOnce(int width, int height, long most)
+int rowsAtOnce(int width, int height)
 {
     constexpr int step = 64;
-    const long rows = most / width;
+    const long rows = pixelsAtOnce / width;
     return rows >= height ? height : std::max(step, static_cast<int>(rows / step) * step);
 }
 

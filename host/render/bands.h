@@ -11,7 +11,7 @@ namespace dioptre
 // Rows of a picture that are drawn and held at once: all where the picture has no more than so many pixels,
 // else as many as have, in multiples of 64, from which sums and derivatives come out the same.
 inline constexpr long pixelsAtOnce = 1L << 22;
-int rowsAtOnce(int width, int height, long most = pixelsAtOnce);
+int rowsAtOnce(int width, int height);
 
 // The whole width of `rows` from the top down, in bands of at most `atOnce` rows; all begin at multiples of
 // 64 from the bottom where `rows` and `atOnce` do.

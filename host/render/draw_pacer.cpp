@@ -51,10 +51,15 @@ void DrawPacer::cover(const PixelRectangle& area, const std::function<void(const
     }
 }
 
+void DrawPacer::finish()
+{
+    if (draws_ > 0)
+        wait();
+}
+
 bool DrawPacer::isTimeToWait() const
 {
-    const bool last = progress_ && drawn_ + waiting_ == all_;
-    return side_px_ < mostSide_px || last || draws_ == mostDrawsBetweenWaits ||
+    return side_px_ < mostSide_px || draws_ == mostDrawsBetweenWaits ||
            msPerPixel_ * static_cast<double>(waiting_) > mostBetweenWaits_ms;
 }
 

@@ -28,6 +28,9 @@ public:
     // Calls draw(piece) for pieces that cover the area, each pixel once.
     void cover(const PixelRectangle& area, const std::function<void(const PixelRectangle&)>& draw);
 
+    // Waits for what is under way.
+    void finish();
+
 private:
     bool isTimeToWait() const;
     void wait();

@@ -18,6 +18,11 @@ void Drawing::show(const PixelRectangle& region)
     region_ = region;
 }
 
+void Drawing::submit()
+{
+    submit({});
+}
+
 void Drawing::submit(const Progress& progress)
 {
     pacer_.begin(region_.area() * passes(), progress);
@@ -28,10 +33,10 @@ void Drawing::submit(const Progress& progress)
 void Drawing::draw(const Progress& progress)
 {
     submit(progress);
-    wait();
+    pacer_.finish();
 }
 
-void Drawing::wait() const
+void Drawing::waitForFirst() const
 {
     waitForDevice(drawLimit_s_);
 }

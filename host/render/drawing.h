@@ -66,8 +66,8 @@ public:
         return target_.height;
     }
 
-    // Draws all pixels of the region anew, without waiting for the end unless `progress` is to be told.
-    void submit(const Progress& progress = {});
+    // Draws all pixels of the region anew, without waiting for the end.
+    void submit();
 
     // The same, and returns when they are done.
     void draw(const Progress& progress = {});
@@ -101,13 +101,15 @@ protected:
     // One pixel, so that the driver compiles.
     void drawFirst();
 
-    // Until all that was drawn is done.
-    void wait() const;
+    // Until such pixels are done.
+    void waitForFirst() const;
 
     PixelRectangle region_;
     BuildTimes times_;
 
 private:
+    void submit(const Progress& progress);
+
     AccumulationTarget target_;
     DrawPacer pacer_;
     double drawLimit_s_;

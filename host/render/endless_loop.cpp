@@ -1,7 +1,5 @@
 #include "render/endless_loop.h"
 
-#include "render/shader_tokens.h"
-
 #include <algorithm>
 #include <set>
 #include <string_view>
@@ -60,9 +58,8 @@ bool canLeave(const ShaderTokens& tokens, std::size_t first, std::size_t end)
 
 } // namespace
 
-void refuseEndlessLoops(const SourceText& source)
+void refuseEndlessLoops(const ShaderTokens& tokens)
 {
-    const ShaderTokens tokens = tokensOf(source);
     const auto& all = tokens.all;
     // A function that is called may discard.
     if (std::ranges::any_of(all, [](const ShaderToken& token) { return token.text == "discard"; }))

@@ -2,13 +2,13 @@
 // and no driver says so.
 #pragma once
 
-#include "render/source_text.h"
+#include "render/shader_tokens.h"
 
 namespace dioptre
 {
 
 // Throws badInput, with the place, for a for, while or do of no condition or of `true` whose body has no
 // break, return, discard or macro that could hold one.
-void refuseEndlessLoops(const SourceText& source);
+void refuseEndlessLoops(const ShaderTokens& tokens);
 
 } // namespace dioptre

@@ -48,15 +48,17 @@ PlainRenderer::PlainRenderer(const std::filesystem::path& shader, const ViewSett
       plain_(std::move(plain)), size_px_(view.width, view.height)
 {
     Stopwatch watch;
+    const PlainForm form = formOf(plain_, view, context);
+    text_ = assemblePlain(shader, view.glslFolder, form);
     std::ranges::transform(plain_.channels, channels_.begin(), makeChannel);
     times_.load = watch.lap_ms();
-    build(formOf(plain_, view, context), view.glslFolder);
+    build(form, view.glslFolder);
     times_.compile = watch.lap_ms();
     glUseProgram(program_.name.name());
     uniforms_ = feedOnce(program_, numbers(), plain_.values, shader_, text_.text);
     bind();
     drawFirst();
-    wait();
+    waitForFirst();
     times_.firstDraw = watch.lap_ms();
 }
 
@@ -64,15 +66,11 @@ PlainRenderer::PlainRenderer(const std::filesystem::path& shader, const ViewSett
 // does.
 void PlainRenderer::build(PlainForm form, const std::filesystem::path& glslFolder)
 {
-    text_ = assemblePlain(shader_, glslFolder, form);
-    if (text_.checksLoops) {
-        try {
-            program_ = buildProgram(text_.text);
-        } catch (const Error&) {
-            text_.checksLoops = false;
-        }
-    }
-    if (!text_.checksLoops) {
+    try {
+        program_ = buildProgram(text_.text);
+    } catch (const Error&) {
+        if (!text_.checksLoops)
+            throw;
         form.loopsMayBeEnded = false;
         text_ = assemblePlain(shader_, glslFolder, form);
         program_ = buildProgram(text_.text);

@@ -229,8 +229,8 @@ PlainText assemblePlain(const std::filesystem::path& shader, const std::filesyst
     PreprocessInput input;
     input.folders = {shader.has_parent_path() ? shader.parent_path() : ".", glslFolder};
     const SourceText body = preprocess(withoutVersion(readSource(shader)), input);
-    refuseEndlessLoops(body);
     const ShaderTokens tokens = tokensOf(body);
+    refuseEndlessLoops(tokens);
     const Names names = namesOf(body);
     PlainText plain;
     plain.mainImage = names.mentioned.contains("mainImage");

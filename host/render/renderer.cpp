@@ -73,7 +73,7 @@ Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, cons
         setSamples(part.program, {0, 0}); // adds nothing, yet makes the driver compile
         drawFirst();
     }
-    wait();
+    waitForFirst();
     times_.firstDraw = watch.lap_ms();
 }
 

@@ -149,6 +149,7 @@ TEST(DrawPacer, AreaAndAnyTimes_EachPixelIsDrawnOnceAndFewDrawsAreUnderWay)
                     for (int x = r.x; x < r.x + r.width; ++x)
                         ++drawn[static_cast<std::size_t>(y * 3000 + x)];
             });
+        pacer.finish();
         EXPECT_EQ(drawn, std::vector<int>(drawn.size(), 1));
         EXPECT_EQ(told, 1.0);
         EXPECT_GT(draws, 3U);

@@ -11,7 +11,8 @@ namespace
 std::string refusedAt(const std::string& text)
 {
     try {
-        refuseEndlessLoops(linesOf(text, "a.frag"));
+        const SourceText source = linesOf(text, "a.frag"); // the tokens look into it
+        refuseEndlessLoops(tokensOf(source));
         return "";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::badInput);

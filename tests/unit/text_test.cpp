@@ -8,6 +8,18 @@ namespace dioptre
 namespace
 {
 
+TEST(Text_ReadPair, WholeNumbersAbove0_AreRead_AndNothingElse)
+{
+    int first = 0, second = 0;
+    EXPECT_TRUE(readPair("2/8", '/', first, second));
+    EXPECT_EQ(first, 2);
+    EXPECT_EQ(second, 8);
+    EXPECT_TRUE(readPair("1000000x1", 'x', first, second));
+    for (const char* text : {"", "2", "2/", "/8", "0/8", "2/0", "-2/8", "2/8 ", " 2/8", "2x8", "2/8/3",
+                             "1000001/1", "1/99999999999"})
+        EXPECT_FALSE(readPair(text, '/', first, second)) << text;
+}
+
 TEST(Text_NearestWord, FindsTheWordThatOneSlipAwayIsMeant)
 {
     const std::vector<std::string> words{"sphere", "cylinder", "plane", "disk"};
