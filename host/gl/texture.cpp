@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
+#include <utility>
 
 namespace dioptre
 {
@@ -38,21 +40,6 @@ const void* numbersOf(const Picture& picture)
                                                   : static_cast<const void*>(picture.bytes.data());
 }
 
-Texture newTexture()
-{
-    GLuint name = 0;
-    glGenTextures(1, &name);
-    return Texture(name);
-}
-
-void setSampling(GLenum kind, GLenum minification, GLenum wrapS, GLenum wrapT)
-{
-    glTexParameteri(kind, GL_TEXTURE_MIN_FILTER, static_cast<GLint>(minification));
-    glTexParameteri(kind, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(kind, GL_TEXTURE_WRAP_S, static_cast<GLint>(wrapS));
-    glTexParameteri(kind, GL_TEXTURE_WRAP_T, static_cast<GLint>(wrapT));
-}
-
 void checkLimit(GLenum limit, long long size, const char* what)
 {
     GLint longest = 0;
@@ -69,77 +56,145 @@ void checkUploaded()
         fail(ExitCode::retry, "the device has no memory left for the pictures", "use fewer or smaller ones");
 }
 
-// One picture without mip levels; sampling is left to the caller.
-Texture uploadSingle(const Picture& picture)
+int levelSize(int size, int level)
+{
+    return std::max(1, size >> level);
+}
+
+int levelsOf(int width, int height)
+{
+    return std::bit_width(static_cast<unsigned>(std::max(width, height)));
+}
+
+// A single texture without further levels, of a picture's size and format.
+TextureShape shapeOf(const Picture& picture)
 {
     const Layout layout = layoutOf(picture.format);
-    checkLimit(GL_MAX_TEXTURE_SIZE, std::max(picture.width, picture.height), "texels on a side");
-    Texture texture = newTexture();
-    const TextureBinding binding(GL_TEXTURE_2D, texture.name());
+    TextureShape shape;
+    shape.stored = layout.stored;
+    shape.numberType = layout.numberType;
+    shape.width = picture.width;
+    shape.height = picture.height;
+    return shape;
+}
+
+void setFilter(TextureShape& shape, TextureFilter filter)
+{
+    const bool nearest = filter == TextureFilter::nearest;
+    const bool levels = filter == TextureFilter::mipmap;
+    shape.levels = levels ? levelsOf(shape.width, shape.height) : 1;
+    shape.minification = levels ? GL_LINEAR_MIPMAP_LINEAR : nearest ? GL_NEAREST : GL_LINEAR;
+    shape.magnification = nearest ? GL_NEAREST : GL_LINEAR;
+}
+
+void checkLimits(const TextureShape& shape)
+{
+    const bool cube = shape.target == GL_TEXTURE_CUBE_MAP;
+    checkLimit(cube ? GL_MAX_CUBE_MAP_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, std::max(shape.width, shape.height),
+               cube ? "texels on a side of a cube" : "texels on a side");
+    if (shape.target == GL_TEXTURE_2D_ARRAY)
+        checkLimit(GL_MAX_ARRAY_TEXTURE_LAYERS, shape.layers, "pictures of one size");
+}
+
+void allocate(const TextureShape& shape, int level)
+{
+    const auto stored = static_cast<GLint>(shape.stored);
+    const int width = levelSize(shape.width, level), height = levelSize(shape.height, level);
+    if (shape.target == GL_TEXTURE_2D_ARRAY) {
+        glTexImage3D(shape.target, level, stored, width, height, shape.layers, 0, GL_RGBA, shape.numberType,
+                     nullptr);
+        return;
+    }
+    const bool cube = shape.target == GL_TEXTURE_CUBE_MAP;
+    for (GLenum face = 0; face < (cube ? 6U : 1U); ++face)
+        glTexImage2D((cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : shape.target) + face, level, stored, width,
+                     height, 0, GL_RGBA, shape.numberType, nullptr);
+}
+
+// Fills level 0 of a 2D texture or of a cube's face.
+void fill(GLenum image, const Picture& picture)
+{
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(layout.stored), picture.width, picture.height, 0,
-                 GL_RGBA, layout.numberType, numbersOf(picture));
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexSubImage2D(image, 0, 0, 0, picture.width, picture.height, GL_RGBA,
+                    layoutOf(picture.format).numberType, numbersOf(picture));
+}
+
+Texture uploadSingle(const TextureShape& shape, const Picture& picture)
+{
+    Texture texture = makeTexture(shape);
+    const TextureBinding binding(shape.target, texture.name());
+    fill(shape.target, picture);
+    if (shape.levels > 1)
+        glGenerateMipmap(shape.target);
     checkUploaded();
     return texture;
 }
 
 } // namespace
 
-Texture uploadPictureArray(const std::vector<std::span<const Picture>>& layers)
+Texture makeTexture(const TextureShape& shape)
 {
-    constexpr GLenum kind = GL_TEXTURE_2D_ARRAY;
-    const std::span<const Picture> first = layers.at(0);
-    const Layout layout = layoutOf(first.front().format);
-    const auto layerCount = static_cast<GLsizei>(layers.size());
-    checkLimit(GL_MAX_TEXTURE_SIZE, std::max(first[0].width, first[0].height), "texels on a side");
-    checkLimit(GL_MAX_ARRAY_TEXTURE_LAYERS, layerCount, "pictures of one size");
-    Texture texture = newTexture();
-    const TextureBinding binding(kind, texture.name());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    for (std::size_t level = 0; level < first.size(); ++level) {
-        const int width = first[level].width, height = first[level].height;
-        const auto levelNumber = static_cast<GLint>(level);
-        glTexImage3D(kind, levelNumber, static_cast<GLint>(layout.stored), width, height, layerCount, 0,
-                     GL_RGBA, layout.numberType, nullptr);
-        for (std::size_t layer = 0; layer < layers.size(); ++layer)
-            if (level < layers[layer].size())
-                glTexSubImage3D(kind, levelNumber, 0, 0, static_cast<GLint>(layer),
-                                layers[layer][level].width, layers[layer][level].height, 1, GL_RGBA,
-                                layout.numberType, numbersOf(layers[layer][level]));
-    }
-    glTexParameteri(kind, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(first.size()) - 1);
-    setSampling(kind, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT, GL_REPEAT);
+    checkLimits(shape);
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    Texture texture(name);
+    const TextureBinding binding(shape.target, name);
+    for (int level = 0; level < shape.levels; ++level)
+        allocate(shape, level);
+    for (const auto& [setting, value] :
+         {std::pair{GL_TEXTURE_MAX_LEVEL, static_cast<GLenum>(shape.levels - 1)},
+          {GL_TEXTURE_MIN_FILTER, shape.minification},
+          {GL_TEXTURE_MAG_FILTER, shape.magnification},
+          {GL_TEXTURE_WRAP_S, shape.wrapS},
+          {GL_TEXTURE_WRAP_T, shape.wrapT},
+          {GL_TEXTURE_WRAP_R, shape.wrapT}})
+        glTexParameteri(shape.target, static_cast<GLenum>(setting), static_cast<GLint>(value));
     checkUploaded();
     return texture;
 }
 
+TextureShape shapeOfPictureArray(const std::vector<std::span<const Picture>>& layers)
+{
+    const std::span<const Picture> first = layers.at(0);
+    TextureShape shape = shapeOf(first.front());
+    shape.target = GL_TEXTURE_2D_ARRAY;
+    shape.layers = static_cast<int>(layers.size());
+    shape.levels = static_cast<int>(first.size());
+    shape.minification = GL_LINEAR_MIPMAP_LINEAR;
+    return shape;
+}
+
+Texture uploadPictureArray(const std::vector<std::span<const Picture>>& layers)
+{
+    const TextureShape shape = shapeOfPictureArray(layers);
+    Texture texture = makeTexture(shape);
+    const TextureBinding binding(shape.target, texture.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for (std::size_t layer = 0; layer < layers.size(); ++layer)
+        for (std::size_t level = 0; level < layers[layer].size(); ++level)
+            glTexSubImage3D(shape.target, static_cast<GLint>(level), 0, 0, static_cast<GLint>(layer),
+                            layers[layer][level].width, layers[layer][level].height, 1, GL_RGBA,
+                            shape.numberType, numbersOf(layers[layer][level]));
+    checkUploaded();
+    return texture;
+}
+
+TextureShape shapeOfSky(const Picture& picture)
+{
+    TextureShape shape = shapeOf(picture);
+    shape.wrapT = GL_CLAMP_TO_EDGE;
+    return shape;
+}
+
 Texture uploadSky(const Picture& picture)
 {
-    Texture texture = uploadSingle(picture);
-    const TextureBinding binding(GL_TEXTURE_2D, texture.name());
-    setSampling(GL_TEXTURE_2D, GL_LINEAR, GL_REPEAT, GL_CLAMP_TO_EDGE);
-    return texture;
+    return uploadSingle(shapeOfSky(picture), picture);
 }
 
 namespace
 {
 
-void setFilter(GLenum kind, TextureFilter filter)
-{
-    const bool nearest = filter == TextureFilter::nearest;
-    const bool levels = filter == TextureFilter::mipmap;
-    glTexParameteri(kind, GL_TEXTURE_MAX_LEVEL, levels ? 1000 : 0);
-    if (levels)
-        glGenerateMipmap(kind);
-    glTexParameteri(kind, GL_TEXTURE_MIN_FILTER,
-                    levels    ? GL_LINEAR_MIPMAP_LINEAR
-                    : nearest ? GL_NEAREST
-                              : GL_LINEAR);
-    glTexParameteri(kind, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
-}
-
-GLint wrapOf(TextureWrap wrap)
+GLenum wrapOf(TextureWrap wrap)
 {
     switch (wrap) {
     case TextureWrap::clamp:
@@ -154,33 +209,38 @@ GLint wrapOf(TextureWrap wrap)
 
 } // namespace
 
-Texture uploadPicture(const Picture& picture, TextureFilter filter, TextureWrap wrap)
+TextureShape shapeOfPicture(const Picture& picture, TextureFilter filter, TextureWrap wrap)
 {
-    Texture texture = uploadSingle(picture);
-    const TextureBinding binding(GL_TEXTURE_2D, texture.name());
-    setFilter(GL_TEXTURE_2D, filter);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrapOf(wrap));
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrapOf(wrap));
-    checkUploaded();
-    return texture;
+    TextureShape shape = shapeOf(picture);
+    setFilter(shape, filter);
+    shape.wrapS = wrapOf(wrap);
+    shape.wrapT = wrapOf(wrap);
+    return shape;
 }
 
-Texture uploadCube(std::span<const Picture> faces, TextureFilter filter)
+Texture uploadPicture(const Picture& picture, const TextureShape& shape)
 {
-    constexpr GLenum kind = GL_TEXTURE_CUBE_MAP;
-    checkLimit(GL_MAX_CUBE_MAP_TEXTURE_SIZE, faces.front().width, "texels on a side of a cube");
-    Texture texture = newTexture();
-    const TextureBinding binding(kind, texture.name());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-        const Layout layout = layoutOf(faces[i].format);
-        glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(i), 0,
-                     static_cast<GLint>(layout.stored), faces[i].width, faces[i].height, 0, GL_RGBA,
-                     layout.numberType, numbersOf(faces[i]));
-    }
-    setFilter(kind, filter);
-    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-        glTexParameteri(kind, axis, GL_CLAMP_TO_EDGE);
+    return uploadSingle(shape, picture);
+}
+
+TextureShape shapeOfCube(std::span<const Picture> faces, TextureFilter filter)
+{
+    TextureShape shape = shapeOf(faces.front());
+    shape.target = GL_TEXTURE_CUBE_MAP;
+    setFilter(shape, filter);
+    shape.wrapS = GL_CLAMP_TO_EDGE;
+    shape.wrapT = GL_CLAMP_TO_EDGE;
+    return shape;
+}
+
+Texture uploadCube(std::span<const Picture> faces, const TextureShape& shape)
+{
+    Texture texture = makeTexture(shape);
+    const TextureBinding binding(shape.target, texture.name());
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        fill(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(i), faces[i]);
+    if (shape.levels > 1)
+        glGenerateMipmap(shape.target);
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     checkUploaded();
     return texture;
@@ -189,11 +249,7 @@ Texture uploadCube(std::span<const Picture> faces, TextureFilter filter)
 // Nearest: float tables need not be filterable.
 Texture uploadTable(const Picture& picture)
 {
-    Texture texture = uploadSingle(picture);
-    const TextureBinding binding(GL_TEXTURE_2D, texture.name());
-    setSampling(GL_TEXTURE_2D, GL_NEAREST, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    return texture;
+    return uploadSingle(shapeOfPicture(picture, TextureFilter::nearest, TextureWrap::clamp), picture);
 }
 
 Buffer uploadUniformBuffer(const std::vector<float>& values)

@@ -1,7 +1,6 @@
 #include "render/device_scene.h"
 
 #include "base/text.h"
-#include "gl/texture.h"
 
 #include <algorithm>
 #include <array>
@@ -53,18 +52,25 @@ std::vector<std::string> namesOfAll(const std::vector<const Plan*>& plans, Names
     return all;
 }
 
+// The mip chains of a group's pictures, by layer.
+std::vector<std::span<const Picture>> layersOf(const PictureGroup& group, const PackedScene& packed)
+{
+    std::vector<std::span<const Picture>> layers;
+    for (const auto picture : group.pictures)
+        layers.push_back(packed.pictures[picture]);
+    return layers;
+}
+
 void uploadTextures(DeviceScene& device, const std::vector<const Plan*>& plans, const PackedScene& packed)
 {
     const auto wanted = namesOfAll(plans, [&](const Plan& plan) { return plannedTextures(plan, packed); });
     for (const auto& group : pictureGroups(*plans.front(), packed)) {
         if (!holds(wanted, group.uniform))
             continue;
-        std::vector<std::span<const Picture>> layers;
-        for (const auto picture : group.pictures) {
-            layers.push_back(packed.pictures[picture]);
+        for (const auto picture : group.pictures)
             device.textureBytes += bytesOf(packed.pictures[picture]);
-        }
-        device.textures.push_back({group.uniform, uploadPictureArray(layers), GL_TEXTURE_2D_ARRAY});
+        device.textures.push_back(
+            {group.uniform, uploadPictureArray(layersOf(group, packed)), GL_TEXTURE_2D_ARRAY});
     }
     if (holds(wanted, "u_sky_picture")) {
         device.textures.push_back({"u_sky_picture", uploadSky(packed.sky_picture.front()), GL_TEXTURE_2D});
@@ -151,6 +157,22 @@ BlockCapacity capacityOf(std::size_t blockBytes)
     const std::size_t tableRoom = blockBytes > head ? blockBytes - head : 0;
     return {blockBytes / bytes(sizeof(packed::Material)), blockBytes / bytes(sizeof(packed::Light)),
             tableRoom / bytes(sizeof(packed::Shape) + sizeof(packed::vec4))};
+}
+
+std::vector<float> blockValues(const std::string& block, const PackedScene& packed)
+{
+    return contentsOf(block, packed).values;
+}
+
+std::vector<std::pair<std::string, TextureShape>> textureShapes(const Plan& plan, const PackedScene& packed)
+{
+    std::vector<std::pair<std::string, TextureShape>> shapes;
+    if (plan.has("picture"))
+        for (const auto& group : sampledGroups(plan, packed))
+            shapes.emplace_back(group.uniform, shapeOfPictureArray(layersOf(group, packed)));
+    if (plan.has("sky picture"))
+        shapes.emplace_back("u_sky_picture", shapeOfSky(packed.sky_picture.front()));
+    return shapes;
 }
 
 DeviceScene upload(const PackedScene& packed, const std::vector<const Plan*>& plans)
@@ -260,17 +282,30 @@ void bind(const Program& program, const DeviceScene& device, const PackedScene& 
         glBindTexture(texture.target, texture.texture.name());
         glUniform1i(locationOf(program, texture.uniform), unit++);
     }
-    const auto locate = [&](const char* name) { return locationOf(program, name); };
-    const auto setPair = [&](const char* name, const glm::vec2& pair) {
-        glUniform2f(locate(name), pair.x, pair.y);
-    };
-    setPair("u_resolution", size_px);
-    setPair("u_tile_origin_px", origin_px);
-    glUniform1i(locate("u_budget"), packed.budget);
-    glUniform1f(locate("u_cut_off"), static_cast<float>(packed.cutOff));
-    glUniform1i(locate("u_depth"), packed.depth);
-    glUniform3f(locate("u_ambient"), static_cast<float>(packed.ambient.x),
-                static_cast<float>(packed.ambient.y), static_cast<float>(packed.ambient.z));
+    for (const auto& [name, numbers] : fixedUniforms(packed, size_px, origin_px)) {
+        const GLint location = locationOf(program, name);
+        const auto number = [&](std::size_t i) { return static_cast<GLfloat>(numbers[i]); };
+        if (name == "u_budget" || name == "u_depth")
+            glUniform1i(location, static_cast<GLint>(numbers[0]));
+        else if (numbers.size() == 3)
+            glUniform3f(location, number(0), number(1), number(2));
+        else if (numbers.size() == 2)
+            glUniform2f(location, number(0), number(1));
+        else
+            glUniform1f(location, number(0));
+    }
+}
+
+std::map<std::string, std::vector<double>> fixedUniforms(const PackedScene& packed, const glm::ivec2& size_px,
+                                                         const glm::ivec2& origin_px)
+{
+    const auto pair = [](const glm::dvec2& numbers) { return std::vector<double>{numbers.x, numbers.y}; };
+    return {{"u_resolution", pair(size_px)},
+            {"u_tile_origin_px", pair(origin_px)},
+            {"u_budget", {static_cast<double>(packed.budget)}},
+            {"u_cut_off", {packed.cutOff}},
+            {"u_depth", {static_cast<double>(packed.depth)}},
+            {"u_ambient", {packed.ambient.x, packed.ambient.y, packed.ambient.z}}};
 }
 
 } // namespace dioptre

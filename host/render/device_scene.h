@@ -3,10 +3,13 @@
 
 #include "gl/object.h"
 #include "gl/program.h"
+#include "gl/texture.h"
 #include "render/assemble.h"
 
 #include <glm/glm.hpp>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dioptre
@@ -39,6 +42,15 @@ struct BlockCapacity {
     std::size_t tableObjects = 0; // under trace.form = "loop"
 };
 BlockCapacity capacityOf(std::size_t blockBytes);
+
+// The numbers of a uniform block, as the device holds them.
+std::vector<float> blockValues(const std::string& block, const PackedScene& packed);
+
+// The uniforms outside blocks that stay the same between draws, by name, and the textures by their samplers'
+// names.
+std::map<std::string, std::vector<double>> fixedUniforms(const PackedScene& packed, const glm::ivec2& size_px,
+                                                         const glm::ivec2& origin_px);
+std::vector<std::pair<std::string, TextureShape>> textureShapes(const Plan& plan, const PackedScene& packed);
 
 // Uploads what one of the plans, which are of one scene, needs, and nothing else.
 DeviceScene upload(const PackedScene& packed, const std::vector<const Plan*>& plans);

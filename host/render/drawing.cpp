@@ -25,15 +25,34 @@ void Drawing::submit()
 
 void Drawing::submit(const Progress& progress)
 {
-    pacer_.begin(region_.area() * passes(), progress);
+    pacer_.begin(region_.area() * static_cast<long>(batches().size()), progress);
     clear(target_);
-    drawRegion();
+    drawBatches(batches(), region_);
 }
 
 void Drawing::draw(const Progress& progress)
 {
     submit(progress);
     pacer_.finish();
+}
+
+void Drawing::start()
+{
+    clear(target_);
+}
+
+void Drawing::add(const SampleBatch& batch, const PixelRectangle& area)
+{
+    pacer_.begin(area.area(), {});
+    drawBatches({&batch, 1}, area);
+    pacer_.finish();
+}
+
+void Drawing::resize(int width, int height)
+{
+    if (width != target_.width || height != target_.height)
+        target_ = makeAccumulationTarget(width, height);
+    region_ = {0, 0, width, height};
 }
 
 void Drawing::waitForFirst() const

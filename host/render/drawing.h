@@ -5,8 +5,10 @@
 #include "gl/target.h"
 #include "render/draw_pacer.h"
 #include "render/plan.h"
+#include "render/samples.h"
 #include "render/source_text.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -72,6 +74,16 @@ public:
     // The same, and returns when they are done.
     void draw(const Progress& progress = {});
 
+    // The same bit by bit: from nothing, samples are added to a part of the region, and are done on return.
+    void start();
+    void add(const SampleBatch& batch, const PixelRectangle& area);
+
+    // What holds the sums.
+    const AccumulationTarget& target() const
+    {
+        return target_;
+    }
+
     // What was drawn, as the device holds it, into a float32 picture with the region's corner at (x, y).
     void readInto(Picture& picture, int x, int y) const;
     Picture read() const;
@@ -90,9 +102,14 @@ protected:
     // A target of so many pixels, and the time that a draw may take.
     Drawing(int width, int height, double drawLimit_s);
 
-    // Calls cover() until every pixel of the region was drawn passes() times.
-    virtual void drawRegion() = 0;
-    virtual long passes() const = 0;
+    // Calls cover() until every pixel of the area was drawn once for each batch of samples.
+    virtual void drawBatches(std::span<const SampleBatch> batches, const PixelRectangle& area) = 0;
+
+    // Of all the picture's samples.
+    virtual std::span<const SampleBatch> batches() const = 0;
+
+    // A target of another size, all of which is shown.
+    void resize(int width, int height);
 
     // Draws, with the program that is current, what of the picture's rectangle is in the region; adds to what
     // is there.

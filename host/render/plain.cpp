@@ -17,21 +17,13 @@ namespace dioptre
 namespace
 {
 
-PlainForm formOf(const PlainSettings& plain, const ViewSettings& view, const ContextInfo& context)
+PlainForm formOf(const PlainSettings& plain, const ViewSettings& view, bool software)
 {
     PlainForm form;
     std::ranges::transform(plain.channels, form.channels.begin(), &ChannelSource::kind);
     form.inTiles = targetWidth(view) < view.width || targetHeight(view) < view.height;
-    form.loopsMayBeEnded = context.software;
+    form.loopsMayBeEnded = software;
     return form;
-}
-
-std::size_t countEnded(const Picture& picture)
-{
-    std::size_t count = 0;
-    for (const float number : picture.floats)
-        count += std::bit_cast<std::uint32_t>(number) == loopsWereEnded ? 1 : 0;
-    return count;
 }
 
 } // namespace
@@ -42,41 +34,70 @@ void startVariablesAtZero()
     ::setenv("MESA_DEBUG", "silent", 0); // or Mesa says on standard error that it heard
 }
 
+LoadedPlain loadPlain(const std::filesystem::path& shader, const ViewSettings& view,
+                      const PlainSettings& plain, bool software)
+{
+    Stopwatch watch;
+    LoadedPlain loaded;
+    loaded.shader = shader;
+    loaded.form = formOf(plain, view, software);
+    loaded.text = assemblePlain(shader, view.glslFolder, loaded.form);
+    std::ranges::transform(plain.channels, loaded.channels.begin(), loadChannel);
+    loaded.load_ms = watch.lap_ms();
+    return loaded;
+}
+
+void leaveOutLoopCheck(LoadedPlain& loaded, const std::filesystem::path& glslFolder)
+{
+    loaded.form.loopsMayBeEnded = false;
+    loaded.text = assemblePlain(loaded.shader, glslFolder, loaded.form);
+}
+
+HostNumbers frameNumbers(const PlainFrame& frame, const glm::ivec2& size_px, const glm::ivec2& origin_px,
+                         const std::array<glm::ivec2, 4>& channelSizes_px)
+{
+    HostNumbers numbers = hostUniforms(frame, size_px.x, size_px.y, channelSizes_px);
+    numbers[tileOriginUniform] = {static_cast<double>(origin_px.x), static_cast<double>(origin_px.y)};
+    numbers[loopCheckUniform] = {2.0};
+    return numbers;
+}
+
 PlainRenderer::PlainRenderer(const std::filesystem::path& shader, const ViewSettings& view,
                              PlainSettings plain, const ContextInfo& context)
-    : Drawing(targetWidth(view), targetHeight(view), view.drawLimit_s), shader_(shader),
+    : PlainRenderer(loadPlain(shader, view, plain, context.software), view, std::move(plain))
+{
+}
+
+PlainRenderer::PlainRenderer(LoadedPlain loaded, const ViewSettings& view, PlainSettings plain)
+    : Drawing(targetWidth(view), targetHeight(view), view.drawLimit_s), loaded_(std::move(loaded)),
       plain_(std::move(plain)), size_px_(view.width, view.height)
 {
     Stopwatch watch;
-    const PlainForm form = formOf(plain_, view, context);
-    text_ = assemblePlain(shader, view.glslFolder, form);
-    std::ranges::transform(plain_.channels, channels_.begin(), makeChannel);
-    times_.load = watch.lap_ms();
-    build(form, view.glslFolder);
+    update(loaded_.channels);
+    loaded_.channels = {};
+    times_.load = loaded_.load_ms + watch.lap_ms();
+    build(view.glslFolder);
     times_.compile = watch.lap_ms();
-    glUseProgram(program_.name.name());
-    uniforms_ = feedOnce(program_, numbers(), plain_.values, shader_, text_.text);
+    update(plain_.values);
     bind();
     drawFirst();
     waitForFirst();
     times_.firstDraw = watch.lap_ms();
 }
 
-// The check of loops may fail where the shader would not: its text is not looked at as closely as a compiler
-// does.
-void PlainRenderer::build(PlainForm form, const std::filesystem::path& glslFolder)
+void PlainRenderer::build(const std::filesystem::path& glslFolder)
 {
     try {
-        program_ = buildProgram(text_.text);
+        program_ = buildProgram(loaded_.text.text);
     } catch (const Error&) {
-        if (!text_.checksLoops)
+        if (!loaded_.text.checksLoops)
             throw;
-        form.loopsMayBeEnded = false;
-        text_ = assemblePlain(shader_, glslFolder, form);
-        program_ = buildProgram(text_.text);
+        leaveOutLoopCheck(loaded_, glslFolder);
+        program_ = buildProgram(loaded_.text.text);
     }
-    if (text_.checksLoops && !text_.discards && !program_.uniforms.contains(loopCheckUniform))
-        fail(ExitCode::badInput, {shader_.string()}, "it has a loop that never ends: no pixel is ever done",
+    if (loaded_.text.checksLoops && !loaded_.text.discards && !program_.uniforms.contains(loopCheckUniform))
+        fail(ExitCode::badInput, {loaded_.shader.string()},
+             "it has a loop that never ends: no pixel is ever done",
              "give the loop a condition, or a break that is reached");
 }
 
@@ -85,14 +106,30 @@ void PlainRenderer::moveTo(const PlainFrame& frame)
     plain_.frame = frame;
 }
 
+void PlainRenderer::update(PlainValues values)
+{
+    glUseProgram(program_.name.name());
+    uniforms_ = feedOnce(program_, numbers(), values, loaded_.shader, loaded_.text.text);
+    plain_.values = std::move(values);
+}
+
+void PlainRenderer::update(const glm::ivec2& size_px)
+{
+    size_px_ = size_px;
+    resize(size_px.x, size_px.y);
+}
+
+void PlainRenderer::update(const std::array<ChannelPictures, 4>& channels)
+{
+    channels_ = {};
+    std::ranges::transform(channels, channels_.begin(), uploadChannel);
+}
+
 HostNumbers PlainRenderer::numbers() const
 {
     std::array<glm::ivec2, 4> sizes_px;
     std::ranges::transform(channels_, sizes_px.begin(), &Channel::size_px);
-    HostNumbers numbers = hostUniforms(plain_.frame, size_px_.x, size_px_.y, sizes_px);
-    numbers[tileOriginUniform] = {static_cast<double>(region_.x), static_cast<double>(region_.y)};
-    numbers[loopCheckUniform] = {2.0};
-    return numbers;
+    return frameNumbers(plain_.frame, size_px_, {region_.x, region_.y}, sizes_px);
 }
 
 void PlainRenderer::bind() const
@@ -102,25 +139,36 @@ void PlainRenderer::bind() const
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
         glBindTexture(channels_[i].target, channels_[i].texture.name());
     }
-    feedFrame(uniforms_, numbers(), shader_);
+    feedFrame(uniforms_, numbers(), loaded_.shader);
 }
 
-void PlainRenderer::drawRegion()
+// It has no samples: each batch is the same.
+void PlainRenderer::drawBatches(std::span<const SampleBatch> batches, const PixelRectangle& area)
 {
     bind();
-    cover(region_);
+    for (std::size_t i = 0; i < batches.size(); ++i)
+        cover(area);
 }
 
-long PlainRenderer::passes() const
+std::span<const SampleBatch> PlainRenderer::batches() const
 {
-    return 1;
+    static constexpr SampleBatch one{0, 1};
+    return {&one, 1};
+}
+
+std::size_t countEndedLoops(const Picture& picture)
+{
+    std::size_t count = 0;
+    for (const float number : picture.floats)
+        count += std::bit_cast<std::uint32_t>(number) == loopsWereEnded ? 1 : 0;
+    return count;
 }
 
 PixelCounts PlainRenderer::finish(Picture& picture) const
 {
-    const std::size_t ended = text_.checksLoops ? countEnded(picture) : 0;
+    const std::size_t ended = loaded_.text.checksLoops ? countEndedLoops(picture) : 0;
     if (ended > 0)
-        fail(ExitCode::badInput, {shader_.string()},
+        fail(ExitCode::badInput, {loaded_.shader.string()},
              fmt::format("this software driver ended the loops of {} pixels after {} iterations", ended,
                          softwareLoopCap),
              "look for a loop that does not end, or needs fewer iterations, or draw on a graphics card");
@@ -130,7 +178,7 @@ PixelCounts PlainRenderer::finish(Picture& picture) const
 DrawingFacts PlainRenderer::facts() const
 {
     DrawingFacts facts;
-    facts.shader = text_.text;
+    facts.shader = loaded_.text.text;
     facts.uniforms = keysOf(program_.uniforms);
     return facts;
 }

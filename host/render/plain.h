@@ -16,9 +16,33 @@ struct PlainSettings {
     PlainValues values; // of --set
 };
 
+// A plain shader before there is a device.
+struct LoadedPlain {
+    std::filesystem::path shader;
+    PlainForm form;
+    PlainText text;
+    std::array<ChannelPictures, 4> channels;
+    double load_ms = 0.0; // what the loading took
+};
+
+// `software`: what of ContextInfo the text hangs on. Throws badInput and inputMissing.
+LoadedPlain loadPlain(const std::filesystem::path& shader, const ViewSettings& view,
+                      const PlainSettings& plain, bool software);
+
+// The same without the check that tells where a driver ended loops, whose text may fail where the shader's
+// own would not: it is not looked at as closely as a compiler does.
+void leaveOutLoopCheck(LoadedPlain& loaded, const std::filesystem::path& glslFolder);
+
+// What a frame feeds a shader in a picture of so many pixels, by uniform.
+HostNumbers frameNumbers(const PlainFrame& frame, const glm::ivec2& size_px, const glm::ivec2& origin_px,
+                         const std::array<glm::ivec2, 4>& channelSizes_px);
+
 // Before the context is made: uninitialised variables start as 0 on drivers that can (Mesa's), as in a
 // browser.
 void startVariablesAtZero();
+
+// Pixels that say that a driver ended their loops, see PlainText.
+std::size_t countEndedLoops(const Picture& picture);
 
 class PlainRenderer final : public Drawing
 {
@@ -28,8 +52,18 @@ public:
     PlainRenderer(const std::filesystem::path& shader, const ViewSettings& view, PlainSettings plain,
                   const ContextInfo& context);
 
+    // The same of what was loaded before.
+    PlainRenderer(LoadedPlain loaded, const ViewSettings& view, PlainSettings plain);
+
     // Goes on at another time.
     void moveTo(const PlainFrame& frame);
+
+    // Goes on with other values of --set. Throws as the constructor does.
+    void update(PlainValues values);
+
+    // Goes on in a picture of another size; with other pictures of the same kinds.
+    void update(const glm::ivec2& size_px);
+    void update(const std::array<ChannelPictures, 4>& channels);
 
     // Colours as the shader gives them. Throws badInput where the driver ended loops of the shader, and the
     // picture is not what the shader says.
@@ -39,22 +73,21 @@ public:
 
     const SourceText& text() const
     {
-        return text_.text;
+        return loaded_.text.text;
     }
 
 protected:
-    void drawRegion() override;
-    long passes() const override;
+    void drawBatches(std::span<const SampleBatch> batches, const PixelRectangle& area) override;
+    std::span<const SampleBatch> batches() const override;
 
 private:
-    void build(PlainForm form, const std::filesystem::path& glslFolder);
+    void build(const std::filesystem::path& glslFolder);
     HostNumbers numbers() const; // of the frame
     void bind() const;           // program, channels and what the frame feeds
 
-    std::filesystem::path shader_;
+    LoadedPlain loaded_; // its pictures are on the device
     PlainSettings plain_;
     glm::ivec2 size_px_; // of the whole picture
-    PlainText text_;
     std::array<Channel, 4> channels_;
     Program program_;
     std::vector<HostUniform> uniforms_; // that each frame feeds

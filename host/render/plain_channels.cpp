@@ -118,7 +118,7 @@ std::vector<Picture> facesOf(const Picture& cross, const std::string& file)
 
 // The loader gives the lowest row first, and t = 0 is the top of a face: OpenGL 3.3, table 3.19, looks at
 // faces from within and with t downwards.
-Channel makeCube(const ChannelSource& source)
+ChannelPictures loadCube(const ChannelSource& source)
 {
     std::vector<Picture> faces;
     if (source.cross)
@@ -136,7 +136,8 @@ Channel makeCube(const ChannelSource& source)
                              faces[i].width, faces[i].height),
                  "give six such pictures");
     const int side = faces.front().width;
-    return {uploadCube(faces, source.filter), GL_TEXTURE_CUBE_MAP, {side, side}};
+    const TextureShape shape = shapeOfCube(faces, source.filter);
+    return {std::move(faces), shape, {side, side}};
 }
 
 } // namespace
@@ -162,21 +163,30 @@ ChannelSource channelSource(const std::string& option, std::size_t channel)
     return source;
 }
 
-Channel makeChannel(const ChannelSource& source)
+ChannelPictures loadChannel(const ChannelSource& source)
 {
     if (source.files.empty()) {
         const Picture black{1, 1, PixelFormat::linear8, {0, 0, 0, 255}, {}};
-        return {uploadPicture(black, TextureFilter::nearest, TextureWrap::repeat), GL_TEXTURE_2D, {0, 0}};
+        return {{black}, shapeOfPicture(black, TextureFilter::nearest, TextureWrap::repeat), {0, 0}};
     }
     if (source.kind() == ChannelKind::cube)
-        return makeCube(source);
+        return loadCube(source);
     // The loader gives the lowest row first.
     Picture picture = readPicture(source.files.front(), Encoding::linear);
     if (!source.flip.value_or(true))
         picture = flipped(picture);
     const glm::ivec2 size(picture.width, picture.height);
-    return {uploadPicture(picture, source.filter, source.wrap.value_or(TextureWrap::repeat)), GL_TEXTURE_2D,
-            size};
+    const TextureShape shape =
+        shapeOfPicture(picture, source.filter, source.wrap.value_or(TextureWrap::repeat));
+    return {{std::move(picture)}, shape, size};
+}
+
+Channel uploadChannel(const ChannelPictures& channel)
+{
+    const bool cube = channel.shape.target == GL_TEXTURE_CUBE_MAP;
+    return {cube ? uploadCube(channel.pictures, channel.shape)
+                 : uploadPicture(channel.pictures.front(), channel.shape),
+            channel.shape.target, channel.size_px};
 }
 
 } // namespace dioptre

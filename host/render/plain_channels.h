@@ -32,14 +32,22 @@ struct ChannelSource {
 // Throws usage for words that are none of these. "" is an empty channel: black.
 ChannelSource channelSource(const std::string& option, std::size_t channel);
 
-struct Channel {
-    Texture texture;
-    GLenum target = GL_TEXTURE_2D;
+// What a channel holds, before there is a device.
+struct ChannelPictures {
+    std::vector<Picture> pictures; // one, or a cube's six
+    TextureShape shape;
     glm::ivec2 size_px{0, 0}; // of level 0; 0 where the channel is empty
 };
 
-// Loads and uploads. The bytes are read as they stand, never decoded, as on Shadertoy. Throws inputMissing
-// and badInput.
-Channel makeChannel(const ChannelSource& source);
+// The bytes are read as they stand, never decoded, as on Shadertoy. Throws inputMissing and badInput.
+ChannelPictures loadChannel(const ChannelSource& source);
+
+struct Channel {
+    Texture texture;
+    GLenum target = GL_TEXTURE_2D;
+    glm::ivec2 size_px{0, 0}; // as above
+};
+
+Channel uploadChannel(const ChannelPictures& channel);
 
 } // namespace dioptre

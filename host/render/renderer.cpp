@@ -20,16 +20,6 @@ void setSamples(const Program& program, const SampleBatch& batch)
     glUniform1i(locationOf(program, "u_sample_count"), batch.count);
 }
 
-// The plan for what the part shows, with no more through the vertex stage than the device carries.
-Plan planFor(const PreparedScene& prepared, const PicturePart& part)
-{
-    const int most = std::min(mostSharedVectors, sharedVectorsOfContext());
-    const Plan& whole = prepared.plan;
-    if (part.seen == whole.seen && vectorsOf(whole.shared) <= most)
-        return whole;
-    return makePlan(prepared.scene, whole.view, most, part.seen);
-}
-
 std::vector<DrawnPart> drawnParts(const std::vector<PartProgram>& programs, const ViewSettings& view)
 {
     std::vector<DrawnPart> parts;
@@ -46,24 +36,27 @@ std::vector<DrawnPart> drawnParts(const std::vector<PartProgram>& programs, cons
 } // namespace
 
 Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, const ContextInfo& context)
+    : Renderer(prepared, view, context, {})
+{
+}
+
+Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, const ContextInfo& context,
+                   std::vector<AssembledPart> assembled)
     : Drawing(targetWidth(view), targetHeight(view), view.drawLimit_s), prepared_(&prepared), view_(view)
 {
     const PackedScene& packed = prepared.packed;
     Stopwatch watch;
+    if (assembled.empty())
+        assembled = assembleParts(prepared, view.glslFolder, sharedVectorsOfContext());
     // The same for all parts, so that the samples of every pixel add up in the same order.
     batches_ = sampleBatches(view.samples, loopIterations(prepared.plan, packed), context.software);
-    for (const auto& part : prepared.parts) {
-        const Plan plan = planFor(prepared, part);
-        parts_.push_back({part, plan, assemble(prepared.scene, plan, packed, view.glslFolder), {}});
-    }
-    std::vector<const Plan*> plans;
-    for (const auto& part : parts_)
-        plans.push_back(&part.plan);
-    device_ = upload(packed, plans);
+    for (auto& part : assembled)
+        parts_.push_back({std::move(part), {}});
+    device_ = upload(packed, plans());
     times_.load = watch.lap_ms();
 
     for (auto& part : parts_) {
-        part.program = buildProgram(part.shader, assembleVertex(part.plan, packed, view.glslFolder));
+        part.program = buildProgram(part.shader, part.vertex);
         checkInterface(part.program, packed, part.plan);
     }
     times_.compile = watch.lap_ms();
@@ -79,8 +72,32 @@ Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, cons
 
 void Renderer::update(const PreparedScene& prepared)
 {
+    update(prepared, view_);
+}
+
+void Renderer::update(const PreparedScene& prepared, const ViewSettings& view)
+{
     prepared_ = &prepared;
+    view_ = view;
+    resize(targetWidth(view), targetHeight(view));
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+        parts_[i].part.rectangles = prepared.parts[i].rectangles;
     uploadNumbers(device_, prepared.packed);
+}
+
+void Renderer::updatePictures(const PreparedScene& prepared)
+{
+    prepared_ = &prepared;
+    device_ = {}; // the device need not hold both
+    device_ = upload(prepared.packed, plans());
+}
+
+std::vector<const Plan*> Renderer::plans() const
+{
+    std::vector<const Plan*> plans;
+    for (const auto& part : parts_)
+        plans.push_back(&part.plan);
+    return plans;
 }
 
 void Renderer::bindTo(const PartProgram& part) const
@@ -89,21 +106,21 @@ void Renderer::bindTo(const PartProgram& part) const
 }
 
 // Batches bound a draw's loop iterations, its size the time.
-void Renderer::drawRegion()
+void Renderer::drawBatches(std::span<const SampleBatch> batches, const PixelRectangle& area)
 {
     for (const auto& part : parts_) {
         bindTo(part);
-        for (const auto& batch : batches_) {
+        for (const auto& batch : batches) {
             setSamples(part.program, batch);
             for (const auto& rectangle : part.part.rectangles)
-                cover(rectangle);
+                cover(common(rectangle, area));
         }
     }
 }
 
-long Renderer::passes() const
+std::span<const SampleBatch> Renderer::batches() const
 {
-    return static_cast<long>(batches_.size());
+    return batches_;
 }
 
 PixelCounts Renderer::finish(Picture& picture) const

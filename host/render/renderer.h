@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/context.h"
+#include "render/assembled_part.h"
 #include "render/device_scene.h"
 #include "render/drawing.h"
 #include "render/prepare.h"
@@ -11,10 +12,7 @@ namespace dioptre
 {
 
 // A part of the picture with its own plan and program.
-struct PartProgram {
-    PicturePart part;
-    Plan plan; // for this part, cut to what this device carries
-    SourceText shader;
+struct PartProgram : AssembledPart {
     Program program;
 };
 
@@ -25,9 +23,19 @@ public:
     // and line when the shader does not compile.
     Renderer(const PreparedScene& prepared, const ViewSettings& view, const ContextInfo& context);
 
+    // The same of texts that were assembled before, for what this device carries.
+    Renderer(const PreparedScene& prepared, const ViewSettings& view, const ContextInfo& context,
+             std::vector<AssembledPart> assembled);
+
     // Goes on with the same scene at another time, as moveTo() left it: nothing is compiled, and no picture
     // is uploaded. `prepared` must outlive the renderer.
     void update(const PreparedScene& prepared);
+
+    // The same in a picture of another size, as the parts of `prepared` fill it.
+    void update(const PreparedScene& prepared, const ViewSettings& view);
+
+    // The same with other pictures, which are uploaded anew. The texts of its shaders are the same.
+    void updatePictures(const PreparedScene& prepared);
 
     // From the sums of the samples in rgb and the rays traced in alpha: means, and alpha 1; of a view its
     // data.
@@ -42,11 +50,12 @@ public:
     }
 
 protected:
-    void drawRegion() override;
-    long passes() const override;
+    void drawBatches(std::span<const SampleBatch> batches, const PixelRectangle& area) override;
+    std::span<const SampleBatch> batches() const override;
 
 private:
     void bindTo(const PartProgram& part) const;
+    std::vector<const Plan*> plans() const;
 
     const PreparedScene* prepared_;
     ViewSettings view_;

@@ -1,0 +1,23 @@
+// The texts of the programs that draw a scene, before there is a device.
+#pragma once
+
+#include "render/assemble.h"
+#include "render/prepare.h"
+
+namespace dioptre
+{
+
+// A part of the picture with its own plan and shaders.
+struct AssembledPart {
+    PicturePart part;
+    Plan plan; // for this part, cut to what the device carries
+    SourceText shader;
+    SourceText vertex;
+};
+
+// Of all parts, the fullest last, for a device that carries so many vec4 from the vertex stage to a pixel.
+// Throws as assemble().
+std::vector<AssembledPart> assembleParts(const PreparedScene& prepared,
+                                         const std::filesystem::path& glslFolder, int mostShared);
+
+} // namespace dioptre
