@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace dioptre
 {
@@ -31,14 +32,25 @@ struct SourcePosition {
 // "path:line:column" with the unknown parts left out.
 std::string describe(const SourcePosition& where);
 
+// One fault of an input, apart from the sentence that is printed.
+struct Complaint {
+    SourcePosition where; // its path is empty where the fault has no place in a text
+    std::string what;     // of a driver's message the whole: "error: `x' undeclared"
+    std::string mend;     // how to put it right; "" where the driver alone could tell
+};
+
+// what() is what the terminal shows; complaints() are the same faults one by one, in order, and never none.
 class Error : public std::runtime_error
 {
 public:
-    Error(ExitCode code, const std::string& message);
+    Error(ExitCode code, const std::string& message); // one complaint, without a place or a mend
+    Error(ExitCode code, const std::string& message, std::vector<Complaint> complaints);
     ExitCode code() const;
+    const std::vector<Complaint>& complaints() const;
 
 private:
     ExitCode code_;
+    std::vector<Complaint> complaints_;
 };
 
 // Throws an Error that reads "path:line:column: what: mend"; the mend says how to put it right.
@@ -47,5 +59,12 @@ private:
 
 // As above, for faults that have no place in a text: "what: mend".
 [[noreturn]] void fail(ExitCode code, std::string_view what, std::string_view mend);
+
+// For several faults at once, whose lines stand in `what`: "what: mend", with the complaints as given.
+[[noreturn]] void fail(ExitCode code, std::string_view what, std::string_view mend,
+                       std::vector<Complaint> complaints);
+
+// The same fault in other words, which say more of where it arose; its complaints stay as they are.
+[[noreturn]] void failAgain(const Error& error, const std::string& message);
 
 } // namespace dioptre

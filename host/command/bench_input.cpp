@@ -65,7 +65,7 @@ Scene sceneOf(const BenchInput& input)
     try {
         return loadScene(input.file, input.overrides);
     } catch (const Error& error) { // "--set …" alone would not say which of the inputs it is
-        throw Error(error.code(), input.overrides.empty() ? error.what() : input.name + ": " + error.what());
+        failAgain(error, input.overrides.empty() ? error.what() : input.name + ": " + error.what());
     }
 }
 

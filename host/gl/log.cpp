@@ -11,31 +11,39 @@ namespace dioptre
 namespace
 {
 
-// How a line begins, up to the message: a pattern of sscanf that reads the line's number and, with %n, how
-// far the pattern reaches. The number before it is the source's; the one in brackets behind it the column.
+// How a line begins, up to the message: a pattern of sscanf that reads the line's number, the column's where
+// there is one, and, with %n, how far the pattern reaches.
 struct LogFormat {
     const char* prefix;
-    const char* severity; // "" where the message itself says it
+    int numbers;            // 1, or 2 with a column
+    const char* severity;   // "" where the message itself says it
+    bool collapses = false; // see LogMessage; the preprocessor's own messages do not
 };
 
+// The number before the line's is the source's.
 constexpr std::array<LogFormat, 7> logFormats{{
-    {"%*9u:%9d(%*9u): %n", ""},               // Mesa
-    {"%*9u:%9d: %n", ""},                     // Mesa without a column
-    {"%*9u(%9d) : %n", ""},                   // NVIDIA
-    {"ERROR: %*9u:%9d: %n", "error: "},       // AMD, Intel, ANGLE, glslang
-    {"ERROR: %*9u:%9d(%*9u): %n", "error: "}, // the same with a column
-    {"WARNING: %*9u:%9d: %n", "warning: "},
-    {"WARNING: %*9u:%9d(%*9u): %n", "warning: "},
+    {"%*9u:%9d(%9d): %n", 2, "", true},         // Mesa
+    {"%*9u:%9d: %n", 1, ""},                    // Mesa without a column
+    {"%*9u(%9d) : %n", 1, ""},                  // NVIDIA
+    {"ERROR: %*9u:%9d: %n", 1, "error: "},      // AMD, Intel, ANGLE, glslang
+    {"ERROR: %*9u:%9d(%9d): %n", 2, "error: "}, // the same with a column
+    {"WARNING: %*9u:%9d: %n", 1, "warning: "},
+    {"WARNING: %*9u:%9d(%9d): %n", 2, "warning: "},
 }};
 
 LogMessage parseLine(const std::string& line)
 {
     for (const LogFormat& format : logFormats) {
-        int number = 0, reached = 0;
-        if (std::sscanf(line.c_str(), format.prefix, &number, &reached) == 1 && reached > 0)
-            return {number, format.severity + line.substr(static_cast<std::size_t>(reached))};
+        int number = 0, second = 0, third = 0;
+        const int read = std::sscanf(line.c_str(), format.prefix, &number, &second, &third);
+        const int reached = format.numbers == 2 ? third : second;
+        if (read != format.numbers || reached == 0)
+            continue;
+        const std::string text = line.substr(static_cast<std::size_t>(reached));
+        return {number, format.numbers == 2 ? second : 0, format.severity + text,
+                format.collapses && !text.starts_with("preprocessor ")};
     }
-    return {0, line};
+    return {0, 0, line};
 }
 
 } // namespace

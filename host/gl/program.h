@@ -29,8 +29,11 @@ std::vector<ActiveUniform> activeUniformsOf(const Program& program);
 
 // One message of a driver's log, mapped out of its format.
 struct LogMessage {
-    int line = 0; // of the text that was sent, counted from 1; 0 where the driver names none
+    int line = 0;   // of the text that was sent, counted from 1; 0 where the driver names none
+    int column = 0; // in that line, counted from 1; 0 where the driver names none
     std::string text;
+    bool collapsed = false; // the column is one of the line with its macros expanded and each run of blanks
+                            // and comments made one blank, as Mesa's preprocessor hands it on
 };
 
 // Reads Mesa's "0:12(11): error: …", NVIDIA's "0(12) : error C1503: …" and the "ERROR: 0:12: …" of AMD, Intel

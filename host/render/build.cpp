@@ -1,5 +1,7 @@
 #include "render/build.h"
 
+#include "render/author_column.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,15 +29,20 @@ Program mapped(const SourceText& fragment, const SourceText& vertex, const std::
     } catch (const ShaderError& error) {
         const SourceText& source = error.inVertexStage ? vertex : fragment;
         std::string text;
+        std::vector<Complaint> complaints;
         for (const auto& message : error.messages) {
             const auto index = static_cast<std::size_t>(message.line) - 1;
-            if (message.line > 0 && index < source.size())
-                text += fmt::format("{}:{}: {}\n    {}\n", source[index].file, source[index].line,
-                                    message.text, source[index].text);
-            else
-                text += authorFile(source) + ": " + message.text + "\n";
+            const SourceLine* line = message.line > 0 && index < source.size() ? &source[index] : nullptr;
+            const SourcePosition where =
+                line ? SourcePosition{line->file, line->line, authorColumn(message, source, index)}
+                     : SourcePosition{authorFile(source)};
+            complaints.push_back({where, message.text, ""});
+            text += fmt::format("{}: {}\n", describe(where), message.text);
+            if (line)
+                text += fmt::format("    {}\n", line->text);
         }
-        fail(ExitCode::badInput, text + "the shader does not compile", "mend the lines named above");
+        fail(ExitCode::badInput, text + "the shader does not compile", "mend the lines named above",
+             std::move(complaints));
     }
 }
 

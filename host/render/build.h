@@ -7,7 +7,8 @@
 namespace dioptre
 {
 
-// Throws badInput: each message as "file:line: message", the source line below it.
+// Throws badInput: each message as "file:line:column: message", the source line below it, and as a
+// complaint.
 Program buildProgram(const SourceText& fragment, const SourceText& vertex);
 Program buildProgram(const SourceText& fragment);
 

@@ -24,7 +24,7 @@ Scene sceneWith(const AnimatedDocument& animation, double time_s,
     try {
         return readScene(document, animation.path);
     } catch (const Error& error) {
-        throw Error(error.code(), fmt::format("{} (at {} s)", error.what(), time_s));
+        failAgain(error, fmt::format("{} (at {} s)", error.what(), time_s));
     }
 }
 

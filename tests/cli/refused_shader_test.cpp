@@ -123,7 +123,7 @@ const std::vector<Case> shadersCases = {
      "printf 'out vec4 o;\\nvoid main()\\n{\\n    o = vec4(1.0;\\n}\\n' >p.frag",
      "dioptre render p.frag" + small,
      65,
-     {"p.frag:4"}},
+     {"p.frag:4:17: error: ", "\n        o = vec4(1.0;\n"}},
     {"PlainShaderWithAStrayUniform",
      "printf 'uniform float u_x;\\nout vec4 o;\\nvoid main()\\n{\\n    o = vec4(u_x);\\n}\\n' >p.frag",
      "dioptre render p.frag" + small,

@@ -222,7 +222,7 @@ public:
         text.replace(text.find(from), from.size(), to);
         std::ofstream(folder_ / file) << text;
     }
-    // What drawing with them ends with; "" where it ends well.
+    // What drawing with them ends with; "" where it ends well. Its text tells each complaint.
     std::string error() const
     {
         const ViewSettings settings{16, 9, 1, folder_};
@@ -231,6 +231,10 @@ public:
             return "";
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ExitCode::badInput);
+            for (const Complaint& complaint : error.complaints())
+                EXPECT_NE(std::string(error.what()).find(describe(complaint.where) + ": " + complaint.what),
+                          std::string::npos)
+                    << complaint.what;
             return error.what();
         }
     }

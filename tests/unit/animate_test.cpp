@@ -310,6 +310,9 @@ TEST(Animation, MixtureThatIsNoDirection_NamesItsTime)
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("points nowhere"), std::string::npos) << error.what();
         EXPECT_NE(std::string(error.what()).find("(at 2 s)"), std::string::npos) << error.what();
+        ASSERT_EQ(error.complaints().size(), 1U);
+        EXPECT_TRUE(std::string(error.what()).starts_with(describe(error.complaints()[0].where) + ": "));
+        EXPECT_GT(error.complaints()[0].where.column, 0);
     }
 }
 
