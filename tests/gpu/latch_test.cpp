@@ -144,7 +144,7 @@ TEST(LatchedPicture, OfRandomScenesThatHadEverything_IsTheirOwn)
     for (unsigned seed = 1; seed <= 20; ++seed) {
         const auto text = randomScene(seed);
         SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text);
-        const auto path = glslFolder() / "scenes" / "text.toml";
+        const auto path = std::filesystem::path(DIOPTRE_SOURCE_DIR) / "glsl" / "scenes" / "text.toml";
         for (const char* form : {"trace.form=literal", "trace.form=loop"}) {
             const Scene fresh = parseScene(text, path, {"animate=[]", form});
             auto overrides = everythingOn(fresh);
