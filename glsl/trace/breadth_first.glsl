@@ -11,7 +11,7 @@ vec4 traceBreadthFirst(Path eye)
     for (int traced = 0; traced < waiting && traced < u_budget; ++traced) {
         Scatter found = scatter(queue[traced]);
         sum += vec4(found.radiance, 1.0);
-        if (waiting < QUEUE_SLOTS && worthTracing(found.reflected)) {
+        if (waiting < u_budget && worthTracing(found.reflected)) {
             queue[waiting] = found.reflected;
             waiting += 1;
         }
@@ -21,7 +21,7 @@ vec4 traceBreadthFirst(Path eye)
             sum.z += weightOfWaiting(found.reflected);
 #endif
 #ifdef HAS_REFRACTION
-        if (waiting < QUEUE_SLOTS && worthTracing(found.refracted)) {
+        if (waiting < u_budget && worthTracing(found.refracted)) {
             queue[waiting] = found.refracted;
             waiting += 1;
         }

@@ -63,8 +63,10 @@ vec3 solidTint(Span span, Ray ray, int object, float distance, Material material
     bool startsWithin = ray.from == 2 * object + 1;
     float enter = startsWithin ? 0.0 : max(span.near, 0.0);
     float leave = min(span.far, distance);
-    bool passes = (startsWithin || span.found) && leave > enter && ray.from != 2 * object;
     vec3 tint = material.shadow_tint.xyz;
+    // A black one is opaque: from within, its surface alone stands in the way.
+    bool meets = tint != vec3(0.0) || enter > 0.0 || span.far < distance;
+    bool passes = (startsWithin || span.found) && leave > enter && ray.from != 2 * object && meets;
 #ifdef HAS_SHADOW_ABSORPTION
     tint *= chordTransmittance(material, max(leave - enter, 0.0));
 #endif

@@ -10,12 +10,13 @@ namespace
 {
 
 // "120,80" or "120,80,down".
-Mouse mouseIn(const std::string& option)
+Pointer pointerIn(const std::string& option)
 {
     std::string_view text = option;
-    Mouse mouse;
-    mouse.down = text.ends_with(",down");
-    if (mouse.down)
+    Pointer pointer;
+    pointer.down = text.ends_with(",down");
+    pointer.pressed = pointer.down;
+    if (pointer.down)
         text.remove_suffix(5);
     const auto comma = text.find(',');
     const auto read = [](std::string_view word, double& value) {
@@ -23,11 +24,12 @@ Mouse mouseIn(const std::string& option)
         return !word.empty() && fault == std::errc() && end == word.data() + word.size() &&
                std::isfinite(value);
     };
-    if (comma == std::string_view::npos || !read(text.substr(0, comma), mouse.x_px) ||
-        !read(text.substr(comma + 1), mouse.y_px))
+    if (comma == std::string_view::npos || !read(text.substr(0, comma), pointer.at_px.x) ||
+        !read(text.substr(comma + 1), pointer.at_px.y))
         fail(ExitCode::usage, "--mouse " + option + " is no place of the pointer",
              "write X,Y in pixels from the lower left corner, and ,down where a button is held");
-    return mouse;
+    pointer.drag_px = pointer.press_px = pointer.at_px;
+    return pointer;
 }
 
 } // namespace
@@ -51,7 +53,7 @@ PlainSettings plainSettings(const RenderOptions& options)
         settings.channels[i] = channelSource(options.channels[i], i);
     settings.frame.time_s = options.time_s;
     if (!options.mouse.empty())
-        settings.frame.mouse = mouseIn(options.mouse);
+        settings.frame.pointer = pointerIn(options.mouse);
     settings.values = plainValues(options.overrides);
     return settings;
 }

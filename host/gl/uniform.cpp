@@ -11,6 +11,28 @@ namespace
 
 using Numbers = UniformType::Numbers;
 
+constexpr UniformType uniformTypes[] = {{GL_FLOAT, "float", 1, Numbers::floats},
+                                        {GL_FLOAT_VEC2, "vec2", 2, Numbers::floats},
+                                        {GL_FLOAT_VEC3, "vec3", 3, Numbers::floats},
+                                        {GL_FLOAT_VEC4, "vec4", 4, Numbers::floats},
+                                        {GL_INT, "int", 1, Numbers::ints},
+                                        {GL_INT_VEC2, "ivec2", 2, Numbers::ints},
+                                        {GL_INT_VEC3, "ivec3", 3, Numbers::ints},
+                                        {GL_INT_VEC4, "ivec4", 4, Numbers::ints},
+                                        {GL_BOOL, "bool", 1, Numbers::ints},
+                                        {GL_BOOL_VEC2, "bvec2", 2, Numbers::ints},
+                                        {GL_BOOL_VEC3, "bvec3", 3, Numbers::ints},
+                                        {GL_BOOL_VEC4, "bvec4", 4, Numbers::ints},
+                                        {GL_UNSIGNED_INT, "uint", 1, Numbers::unsigneds},
+                                        {GL_UNSIGNED_INT_VEC2, "uvec2", 2, Numbers::unsigneds},
+                                        {GL_UNSIGNED_INT_VEC3, "uvec3", 3, Numbers::unsigneds},
+                                        {GL_UNSIGNED_INT_VEC4, "uvec4", 4, Numbers::unsigneds},
+                                        {GL_FLOAT_MAT2, "mat2", 2, Numbers::matrix},
+                                        {GL_FLOAT_MAT3, "mat3", 3, Numbers::matrix},
+                                        {GL_FLOAT_MAT4, "mat4", 4, Numbers::matrix},
+                                        {GL_SAMPLER_2D, "sampler2D", 1, Numbers::sampler},
+                                        {GL_SAMPLER_CUBE, "samplerCube", 1, Numbers::sampler}};
+
 void setFloats(const UniformType& type, const ActiveUniform& uniform, const std::vector<double>& values)
 {
     const std::vector<float> v(values.begin(), values.end());
@@ -50,29 +72,14 @@ void setInts(const UniformType& type, const ActiveUniform& uniform, const std::v
 
 const UniformType* uniformType(GLenum type)
 {
-    static const UniformType types[] = {{GL_FLOAT, "float", 1, Numbers::floats},
-                                        {GL_FLOAT_VEC2, "vec2", 2, Numbers::floats},
-                                        {GL_FLOAT_VEC3, "vec3", 3, Numbers::floats},
-                                        {GL_FLOAT_VEC4, "vec4", 4, Numbers::floats},
-                                        {GL_INT, "int", 1, Numbers::ints},
-                                        {GL_INT_VEC2, "ivec2", 2, Numbers::ints},
-                                        {GL_INT_VEC3, "ivec3", 3, Numbers::ints},
-                                        {GL_INT_VEC4, "ivec4", 4, Numbers::ints},
-                                        {GL_BOOL, "bool", 1, Numbers::ints},
-                                        {GL_BOOL_VEC2, "bvec2", 2, Numbers::ints},
-                                        {GL_BOOL_VEC3, "bvec3", 3, Numbers::ints},
-                                        {GL_BOOL_VEC4, "bvec4", 4, Numbers::ints},
-                                        {GL_UNSIGNED_INT, "uint", 1, Numbers::unsigneds},
-                                        {GL_UNSIGNED_INT_VEC2, "uvec2", 2, Numbers::unsigneds},
-                                        {GL_UNSIGNED_INT_VEC3, "uvec3", 3, Numbers::unsigneds},
-                                        {GL_UNSIGNED_INT_VEC4, "uvec4", 4, Numbers::unsigneds},
-                                        {GL_FLOAT_MAT2, "mat2", 2, Numbers::matrix},
-                                        {GL_FLOAT_MAT3, "mat3", 3, Numbers::matrix},
-                                        {GL_FLOAT_MAT4, "mat4", 4, Numbers::matrix},
-                                        {GL_SAMPLER_2D, "sampler2D", 1, Numbers::sampler},
-                                        {GL_SAMPLER_CUBE, "samplerCube", 1, Numbers::sampler}};
-    const auto* found = std::ranges::find(types, type, &UniformType::type);
-    return found == std::end(types) ? nullptr : found;
+    const auto* found = std::ranges::find(uniformTypes, type, &UniformType::type);
+    return found == std::end(uniformTypes) ? nullptr : found;
+}
+
+const UniformType* uniformTypeNamed(std::string_view name)
+{
+    const auto* found = std::ranges::find(uniformTypes, name, &UniformType::name);
+    return found == std::end(uniformTypes) ? nullptr : found;
 }
 
 std::size_t numbersOf(const UniformType& type, const ActiveUniform& uniform)

@@ -3,6 +3,7 @@
 
 #include "gl/program.h"
 
+#include <string_view>
 #include <vector>
 
 namespace dioptre
@@ -19,6 +20,7 @@ struct UniformType {
 
 // Null for types that are not set this way.
 const UniformType* uniformType(GLenum type);
+const UniformType* uniformTypeNamed(std::string_view name);
 
 // How many numbers a uniform takes in all, an array's elements included.
 std::size_t numbersOf(const UniformType& type, const ActiveUniform& uniform);

@@ -19,7 +19,7 @@ namespace
 {
 
 // The sizes of the tables, as macros.
-std::string countsText(const PackedScene& packed)
+std::string countsText(const Plan& plan, const PackedScene& packed)
 {
     const auto moving = std::ranges::count_if(packed.objects, [](const auto& o) { return o.moving >= 0; });
     return fmt::format(
@@ -28,7 +28,7 @@ std::string countsText(const PackedScene& packed)
         "#define POOL_SLOTS {}\n#define QUEUE_SLOTS {}\n\n",
         std::max<std::size_t>(1, packed.materials.size()), packed.firstPoint, packed.firstSpot,
         packed.firstGlow, packed.lights.size(), std::max<std::size_t>(1, packed.objects.size()),
-        std::max<std::ptrdiff_t>(1, moving), packed.poolSlots, packed.budget);
+        std::max<std::ptrdiff_t>(1, moving), packed.poolSlots, plan.budget);
 }
 
 const char* treeFunction(RayTree tree)
@@ -144,9 +144,10 @@ namespace
 {
 
 // The version, the tables' sizes and `body` with its includes, less what main() does not reach.
-SourceText assembled(const PackedScene& packed, const SourceText& body, const PreprocessInput& input)
+SourceText assembled(const Plan& plan, const PackedScene& packed, const SourceText& body,
+                     const PreprocessInput& input)
 {
-    SourceText source = linesOf(countsText(packed), "generated");
+    SourceText source = linesOf(countsText(plan, packed), "generated");
     source.insert(source.end(), body.begin(), body.end());
     SourceText result = linesOf("#version 330 core", "generated");
     const SourceText pruned = prune(preprocess(source, input));
@@ -171,7 +172,7 @@ SourceText assemble(const Scene& scene, const Plan& plan, const PackedScene& pac
     generate("generated/lights.glsl", lightsText(packed, plan));
     generate("generated/tree.glsl",
              showsFirstHit(plan.view) ? firstHitText(plan, packed) : treeText(plan.tree));
-    return assembled(packed, readSource(main), input);
+    return assembled(plan, packed, readSource(main), input);
 }
 
 SourceText assembleVertex(const Plan& plan, const PackedScene& packed,
@@ -185,7 +186,7 @@ SourceText assembleVertex(const Plan& plan, const PackedScene& packed,
                        : "#include \"shared/constants.glsl\"\n#include \"shared/structs.glsl\"\n"
                          "#include \"trace/uniforms.glsl\"\n" +
                              shareDeclaration(values) + "\n" + fullScreenMain(shareStatements(values));
-    return assembled(packed, linesOf(text, "generated"), input);
+    return assembled(plan, packed, linesOf(text, "generated"), input);
 }
 
 } // namespace dioptre

@@ -26,6 +26,21 @@ int indexIn(const std::vector<Value>& list, const Value& value)
     return found == list.end() ? -1 : static_cast<int>(found - list.begin());
 }
 
+// Metres between the points that may become the origin: 11 to 23 times what the eye looks across.
+double originGrid(const Camera& camera)
+{
+    return std::exp2(std::round(std::log2(glm::distance(camera.eye, camera.target))) + 4.0);
+}
+
+// A plan that earlier edits widened has room for more rays; the picture is the scene's own.
+int budgetOf(const Scene& scene, const Plan& plan)
+{
+    if (plan.tree == RayTree::single)
+        return 1;
+    const Scene& own = ownTypicalOf(scene);
+    return std::min(plan.budget, own.trace.budget.value_or(defaultBudget(own, plan.materials)));
+}
+
 packed::Camera packCamera(const Scene& scene, const Plan& plan, const View& view, const glm::dvec3& origin)
 {
     const auto& camera = scene.camera;
@@ -81,7 +96,10 @@ packed::Material packMaterial(const Scene& scene, const Plan& plan, std::size_t 
     const Material& material = scene.materials[index];
     const Material air;
     const Material& outside = material.outside ? scene.materials[*material.outside] : air;
-    const double passing = material.transmit * (1.0 - material.mirror);
+    const auto shadow = shadowOf(typicalOf(scene).materials[index]);
+    // What tinted before the latest edits alone is black, and no medium of shadow rays.
+    const bool tints = shadowOf(ownTypicalOf(scene).materials[index]) == packed::SHADOW_TINTED;
+    const double passing = tints ? material.transmit * (1.0 - material.mirror) : 0.0;
     const Checker checker = material.checker.value_or(Checker{{glm::dvec3(1.0), glm::dvec3(1.0)}, 0.0});
     const bool hasAmbient = material.ambient.has_value();
     packed::Material result;
@@ -96,14 +114,14 @@ packed::Material packMaterial(const Scene& scene, const Plan& plan, std::size_t 
     result.bending = bendingOf(material.ior, outside.ior);
     result.absorption =
         vec4(material.absorption, material.outside ? indexIn(plan.materials, *material.outside) : -1);
-    result.shadow_tint = vec4(material.colour * passing, shadowOf(typicalOf(scene).materials[index]));
+    result.shadow_tint = vec4(material.colour * passing, shadow);
     // Where an object holds the medium around, its chord counts this one's too, and the difference is left. A
     // medium that no object bounds counts on no shadow ray.
     const bool bounded = material.outside && std::ranges::any_of(scene.objects, [&](const Object& object) {
                              return object.material == *material.outside;
                          });
-    result.shadow_absorption =
-        vec4(material.absorption - (bounded ? outside.absorption : glm::dvec3(0.0)), material.transmit);
+    const glm::dvec3 relative = material.absorption - (bounded ? outside.absorption : glm::dvec3(0.0));
+    result.shadow_absorption = vec4(tints ? relative : glm::dvec3(0.0), material.transmit);
     return result;
 }
 
@@ -162,9 +180,14 @@ int modelOf(ReflectanceModel model)
 
 glm::dvec3 sceneOrigin(const Scene& scene)
 {
-    const double reach = glm::distance(scene.camera.eye, scene.camera.target);
-    const double grid = std::exp2(std::round(std::log2(reach)) + 4.0);
+    const double grid = originGrid(scene.camera);
     return grid * glm::round(scene.camera.eye / grid);
+}
+
+bool originServes(const glm::dvec3& origin, const Camera& camera)
+{
+    const glm::dvec3 away = glm::abs(camera.eye - origin);
+    return std::max({away.x, away.y, away.z}) <= 2.0 * originGrid(camera);
 }
 
 PackedScene pack(const Scene& scene, const Plan& plan, const View& view)
@@ -195,7 +218,7 @@ PackedScene pack(const Scene& scene, const Plan& plan, const View& view)
     result.camera = packCamera(scene, plan, view, origin);
     result.sky = packSky(scene.sky);
     result.tree = plan.tree;
-    result.budget = plan.budget;
+    result.budget = budgetOf(scene, plan);
     result.depth = scene.trace.depth.value_or(result.depth);
     result.poolSlots = plan.poolSlots;
     return result;

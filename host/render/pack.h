@@ -17,6 +17,10 @@ struct View {
 // a point of a coarse grid near the eye, so that floats keep their digits where the scene is.
 glm::dvec3 sceneOrigin(const Scene& scene);
 
+// Whether the origin may stay there under this camera: within two steps of its grid along each axis. Its own
+// lies within half of one, so that floats lose two bits of 24.
+bool originServes(const glm::dvec3& origin, const Camera& camera);
+
 // Everything but the pictures' contents and the cut-off, which depends on them. Material and light indices
 // are those of the plan's lists.
 PackedScene pack(const Scene& scene, const Plan& plan, const View& view);

@@ -32,7 +32,7 @@ Seen either(Seen a, const Seen& b)
 bool sendsOn(const Scene& scene, const Plan& plan, const Seen& seen)
 {
     for (std::size_t id = 0; id < seen.size(); ++id) {
-        const auto& material = scene.materials[scene.objects[id].material];
+        const auto& material = typicalOf(scene).materials[scene.objects[id].material];
         if (seen[id] && plan.tree != RayTree::single && (material.mirror > 0.0 || material.transmit > 0.0))
             return true;
     }

@@ -2,11 +2,12 @@
 
 #include "base/text.h"
 #include "gl/uniform.h"
+#include "render/annotation.h"
+#include "render/number_list.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace dioptre
@@ -79,6 +80,53 @@ void setChannel(const UniformType& type, const ActiveUniform& uniform, const std
     setUniform(type, uniform, {static_cast<double>(last - '0')});
 }
 
+void setFitting(const HostUniform& fed, std::vector<double> numbers, const std::filesystem::path& shader)
+{
+    const auto& [uniform, type] = fed;
+    numbers.resize(numbersOf(*type, uniform), 0.0);
+    for (const double number : numbers)
+        if (!fits(*type, number))
+            fail(
+                ExitCode::badInput, {shader.string()},
+                fmt::format("the uniform {} is of type {}, and {} is none", uniform.name, type->name, number),
+                "declare it as a float, or as a vector of floats");
+    setUniform(*type, uniform, numbers);
+}
+
+HostNumbers liveNumbers(const LiveValues& live)
+{
+    HostNumbers numbers = live.sliders;
+    const auto vector = [](const glm::dvec3& v) { return std::vector<double>{v.x, v.y, v.z}; };
+    if (live.lightType)
+        numbers["u_light_type"] = {static_cast<double>(*live.lightType)};
+    if (live.lightHeight_m)
+        numbers["u_light_height"] = {*live.lightHeight_m};
+    if (live.camera) {
+        numbers["u_camera_position"] = vector(live.camera->eye);
+        numbers["u_camera_target"] = vector(live.camera->target);
+        numbers["u_fov_y_deg"] = {live.camera->fovY_deg};
+    }
+    return numbers;
+}
+
+// What a uniform starts with that neither --set, nor the host, nor its declaration gives: the value in the
+// comment behind it, or that of a live host at rest. False where there is neither.
+bool setToOwnDefault(const ActiveUniform& uniform, const std::vector<Annotation>& annotations,
+                     const std::filesystem::path& shader)
+{
+    static const HostNumbers atRest = liveNumbers(LiveValues{LightType::lit, 3.0, Camera{}, {}});
+    const auto annotation = std::ranges::find(annotations, uniform.name, &Annotation::name);
+    const auto live = atRest.find(uniform.name);
+    const HostUniform fed{uniform, uniformType(uniform.type)};
+    if (annotation != annotations.end() && annotation->inComment)
+        setFitting(fed, annotation->defaults, shader);
+    else if (live != atRest.end())
+        setFitting(fed, live->second, shader);
+    else
+        return false;
+    return true;
+}
+
 } // namespace
 
 std::optional<std::vector<double>> uniformNumbers(std::string text)
@@ -119,31 +167,33 @@ HostNumbers hostUniforms(const PlainFrame& frame, int width, int height,
     const double time = frame.time_s;
     const double number = std::clamp(std::floor(time * frame.rate + 0.5), -2147483648.0, 2147483647.0);
     // Equal runs draw equal pictures: the date is always the same day, at as many seconds as the time.
-    const std::vector<double> date = {2026.0, 0.0, 1.0, time};
-    const Mouse mouse = frame.mouse.value_or(Mouse{});
-    const double sign = mouse.down ? 1.0 : -1.0;
+    const CalendarDate day = frame.date.value_or(CalendarDate{2026, 0, 1, time});
+    const std::vector<double> date = {static_cast<double>(day.year), static_cast<double>(day.month),
+                                      static_cast<double>(day.day), day.sinceMidnight_s};
     std::vector<double> sizes;
     for (const auto& size : channelSizes_px)
         sizes.insert(sizes.end(),
                      {static_cast<double>(size.x), static_cast<double>(size.y), size.x > 0 ? 1.0 : 0.0});
     const std::vector<double> resolution = {static_cast<double>(width), static_cast<double>(height), 1.0};
-    const std::vector<double> pointer = {mouse.x_px, mouse.y_px};
-    return {{"iResolution", resolution},
-            {"iTime", {time}},
-            {"iTimeDelta", {1.0 / frame.rate}},
-            {"iFrameRate", {frame.rate}},
-            {"iFrame", {number}},
-            {"iDate", date},
-            {"iMouse", {mouse.x_px, mouse.y_px, sign * mouse.x_px, sign * mouse.y_px}},
-            {"iSampleRate", {44100.0}},
-            {"iChannelTime", {time, time, time, time}},
-            {"iChannelResolution", sizes},
-            {"u_resolution", resolution},
-            {"u_time", {time}},
-            {"u_delta", {1.0 / frame.rate}},
-            {"u_frame", {number}},
-            {"u_date", date},
-            {"u_mouse", pointer}};
+    const auto mouse = frame.pointer.iMouse();
+    HostNumbers numbers = {{"iResolution", resolution},
+                           {"iTime", {time}},
+                           {"iTimeDelta", {1.0 / frame.rate}},
+                           {"iFrameRate", {frame.rate}},
+                           {"iFrame", {number}},
+                           {"iDate", date},
+                           {"iMouse", {mouse.begin(), mouse.end()}},
+                           {"iSampleRate", {44100.0}},
+                           {"iChannelTime", {time, time, time, time}},
+                           {"iChannelResolution", sizes},
+                           {"u_resolution", resolution},
+                           {"u_time", {time}},
+                           {"u_delta", {1.0 / frame.rate}},
+                           {"u_frame", {number}},
+                           {"u_date", date},
+                           {"u_mouse", {frame.pointer.at_px.x, frame.pointer.at_px.y}}};
+    numbers.merge(liveNumbers(frame.live));
+    return numbers;
 }
 
 std::vector<HostUniform> feedOnce(const Program& program, const HostNumbers& host, const PlainValues& values,
@@ -151,6 +201,7 @@ std::vector<HostUniform> feedOnce(const Program& program, const HostNumbers& hos
 {
     const auto uniforms = activeUniformsOf(program);
     refuseUnknown(values, uniforms, shader);
+    const auto annotations = annotationsOf(text);
     std::vector<HostUniform> fromHost;
     for (const auto& uniform : uniforms) {
         const UniformType* type = uniformType(uniform.type);
@@ -165,9 +216,10 @@ std::vector<HostUniform> feedOnce(const Program& program, const HostNumbers& hos
             setUniform(*type, uniform, valueFor(*type, uniform, value->second));
         else if (host.contains(uniform.name))
             fromHost.push_back({uniform, type});
-        else if (!hasInitialValue(text, uniform.name))
+        else if (!hasInitialValue(text, uniform.name) && !setToOwnDefault(uniform, annotations, shader))
             fail(ExitCode::badInput, {shader.string()}, "nothing feeds the uniform " + uniform.name,
-                 fmt::format("give --set {}=VALUE, or a value in its declaration", uniform.name));
+                 fmt::format("give --set {}=VALUE, or a value in its declaration or in a comment behind it",
+                             uniform.name));
     }
     return fromHost;
 }
@@ -175,17 +227,8 @@ std::vector<HostUniform> feedOnce(const Program& program, const HostNumbers& hos
 void feedFrame(const std::vector<HostUniform>& uniforms, const HostNumbers& host,
                const std::filesystem::path& shader)
 {
-    for (const auto& [uniform, type] : uniforms) {
-        auto numbers = host.at(uniform.name);
-        numbers.resize(numbersOf(*type, uniform), 0.0);
-        for (const double number : numbers)
-            if (!fits(*type, number))
-                fail(ExitCode::badInput, {shader.string()},
-                     fmt::format("the uniform {} is of type {}, and {} is none", uniform.name, type->name,
-                                 number),
-                     "declare it as a float, or as a vector of floats");
-        setUniform(*type, uniform, numbers);
-    }
+    for (const auto& fed : uniforms)
+        setFitting(fed, host.at(fed.uniform.name), shader);
 }
 
 } // namespace dioptre

@@ -4,6 +4,8 @@
 #include "gl/program.h"
 #include "gl/uniform.h"
 #include "render/plain_text.h"
+#include "render/pointer.h"
+#include "scene/scene.h"
 
 #include <glm/glm.hpp>
 
@@ -16,18 +18,30 @@
 namespace dioptre
 {
 
-// The pointer, in pixels from the lower left corner.
-struct Mouse {
-    double x_px = 0.0;
-    double y_px = 0.0;
-    bool down = false; // held since this frame
+// A day as Shadertoy counts it.
+struct CalendarDate {
+    int year = 0;
+    int month = 0; // 0 to 11
+    int day = 0;   // 1 to 31
+    double sinceMidnight_s = 0.0;
+};
+
+// What a live host moves in the shaders that read it. Where one is unset, the shader's own value holds, by
+// its declaration or the comment behind it; else what is named here.
+struct LiveValues {
+    std::optional<LightType> lightType;  // u_light_type: lit
+    std::optional<double> lightHeight_m; // u_light_height: 3
+    std::optional<Camera> camera;        // u_camera_position, u_camera_target, u_fov_y_deg: as Camera says
+    std::map<std::string, std::vector<double>> sliders; // any other uniform, by name
 };
 
 // What a frame of a plain shader is told beside the picture's size.
 struct PlainFrame {
     double time_s = 0.0;
-    double rate = 60.0;         // frames a second
-    std::optional<Mouse> mouse; // none: never touched
+    double rate = 60.0; // frames a second
+    Pointer pointer;
+    std::optional<CalendarDate> date; // none: 1 January 2026, time_s seconds after midnight
+    LiveValues live;                  // which are set stays the same from the first frame on
 };
 
 // NAME=value of --set, by name.
@@ -50,9 +64,10 @@ struct HostUniform {
 };
 
 // Sets what stays the same for all frames of the program, which must be current: samplers, named iChannel0 to
-// 3, to the units 0 to 3, and `values`. Gives the others, which `host` has names for. Throws badInput for a
-// uniform that nothing feeds (`text` tells whether it has an initial value of its own), usage for a value
-// that does not fit its type and for one of `values` that the shader does not read.
+// 3, to the units 0 to 3, and `values`. Gives the others, which `host` has names for. Any more have an
+// initial value of their own, one in an annotation, both found in `text`, or LiveValues'. Throws badInput for
+// a uniform that nothing feeds and for a faulty annotation, usage for a value that does not fit its type and
+// for one of `values` that the shader does not read.
 std::vector<HostUniform> feedOnce(const Program& program, const HostNumbers& host, const PlainValues& values,
                                   const std::filesystem::path& shader, const SourceText& text);
 

@@ -82,6 +82,9 @@ bool wears(const Material& material);
 // lights alone mean no ambient light and a black sky.
 Scene underLightType(Scene scene);
 
+// Rays a sample where trace.budget is unset: more where media of these materials lie within each other.
+int defaultBudget(const Scene& scene, const std::vector<std::size_t>& materials);
+
 // `scene` must have gone through underLightType() and underView(). The plan of an animated scene is the same
 // at every time.
 Plan makePlan(const Scene& scene, DataView view = DataView::none);

@@ -21,6 +21,22 @@ std::string nameOf(TreeOrder order)
     return std::string(std::ranges::find(treeOrders, order, &NamedChoice<TreeOrder>::choice)->name);
 }
 
+// How many interfaces lie within each other: the longest chain of `outside`, counted from air.
+int nestingOf(const Scene& scene, const std::vector<std::size_t>& materials)
+{
+    int deepest = 0;
+    for (const auto i : materials) {
+        int depth = 0;
+        std::optional<std::size_t> medium = i;
+        while (medium && scene.materials[*medium].transmit > 0.0) {
+            ++depth;
+            medium = scene.materials[*medium].outside;
+        }
+        deepest = std::max(deepest, depth);
+    }
+    return deepest;
+}
+
 } // namespace
 
 bool wears(const Material& material)
@@ -155,25 +171,15 @@ bool Planner::poolAlways() const
            !seesNothing() && !showsFirstHit(plan_.view) && scene_.trace.budget.value_or(2) > 1;
 }
 
-int Planner::nesting() const
+int defaultBudget(const Scene& scene, const std::vector<std::size_t>& materials)
 {
-    int deepest = 0;
-    for (const auto i : plan_.materials) {
-        int depth = 0;
-        std::optional<std::size_t> medium = i;
-        while (medium && scene_.materials[*medium].transmit > 0.0) {
-            ++depth;
-            medium = scene_.materials[*medium].outside;
-        }
-        deepest = std::max(deepest, depth);
-    }
-    return deepest;
+    return 16 + 8 * std::max(0, nestingOf(scene, materials) - 1);
 }
 
 void Planner::rayTree(bool sendsOn, bool refracts)
 {
-    const int nested = nesting();
-    plan_.budget = sendsOn ? scene_.trace.budget.value_or(16 + 8 * std::max(0, nested - 1)) : 1;
+    const int nested = nestingOf(scene_, plan_.materials);
+    plan_.budget = sendsOn ? scene_.trace.budget.value_or(defaultBudget(scene_, plan_.materials)) : 1;
     plan_.poolSlots = nested > 1 || poolAlways() ? 4 : 3;
     const auto order = scene_.trace.order;
     plan_.tree = !sendsOn                           ? RayTree::single

@@ -1,4 +1,5 @@
 #include "render/planner.h"
+#include "render/within.h"
 
 #include "scene/direction.h"
 
@@ -11,7 +12,6 @@ namespace dioptre
 namespace
 {
 
-// Well outside, for floats too: by a millionth of what the distance is made of.
 bool outside(const Sphere& sphere, const glm::dvec3& eye)
 {
     const double scale = sphere.radius + glm::length(sphere.centre) + glm::length(eye);
@@ -32,6 +32,18 @@ bool outside(const Cylinder& cylinder, const glm::dvec3& eye)
 
 } // namespace
 
+bool isSolid(const Primitive& primitive)
+{
+    const auto* cylinder = std::get_if<Cylinder>(&primitive);
+    return std::holds_alternative<Sphere>(primitive) || (cylinder != nullptr && cylinder->capped);
+}
+
+bool isOutside(const Primitive& solid, const glm::dvec3& eye)
+{
+    const auto* sphere = std::get_if<Sphere>(&solid);
+    return sphere != nullptr ? outside(*sphere, eye) : outside(std::get<Cylinder>(solid), eye);
+}
+
 // A closed solid that lets no light through is met from outside alone, unless the eye is within: a ray that
 // starts on what lies inside it would have had to get there first.
 void Planner::within()
@@ -44,15 +56,11 @@ void Planner::within()
     std::size_t entered = 0;
     for (std::size_t id = 0; id < scene_.objects.size(); ++id) {
         const auto& object = scene_.objects[id];
-        const auto* sphere = std::get_if<Sphere>(&object.primitive);
-        const auto* cylinder = std::get_if<Cylinder>(&object.primitive);
-        if (sphere == nullptr && (cylinder == nullptr || !cylinder->capped))
+        if (!isSolid(object.primitive))
             continue;
         ++solids;
         const bool clear = scene_.materials[object.material].transmit > 0.0;
-        const auto& eye = scene_.camera.eye;
-        plan_.enteredOnly[id] =
-            wanted && !clear && (sphere != nullptr ? outside(*sphere, eye) : outside(*cylinder, eye));
+        plan_.enteredOnly[id] = wanted && !clear && isOutside(object.primitive, scene_.camera.eye);
         entered += plan_.enteredOnly[id] ? 1 : 0;
     }
     add("solids seen from within", entered < solids,

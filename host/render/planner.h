@@ -49,9 +49,6 @@ private:
     // Whether any light falls on the scene at all; without, no surface's colour is ever asked for.
     bool anythingShines() const;
 
-    // How many interfaces lie within each other: the longest chain of `outside`, counted from air.
-    int nesting() const;
-
     // Whether plan.pool has rays split and wait even where no surface splits them.
     bool poolAlways() const;
 

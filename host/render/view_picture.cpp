@@ -176,7 +176,7 @@ ShownView shownView(const Picture& data, const PreparedScene& prepared)
     ShownView shown{data, {}};
     switch (prepared.plan.view) {
     case DataView::rays:
-        showRays(shown, prepared.plan.budget);
+        showRays(shown, prepared.packed.budget);
         break;
     case DataView::lost:
         showLost(shown);

@@ -71,6 +71,7 @@ struct PlanChoices {
     Lookup lookup = Lookup::automatic;             // how the nearest object's surface is looked up
     Arctangent arctangent = Arctangent::automatic; // built-in: the driver's own in place of our polynomial
     Pool pool = Pool::automatic; // always: rays that split and a pool of 4, though no surface splits any
+    bool operator==(const PlanChoices&) const = default;
 };
 
 enum class ReflectanceModel { lambert, phong, blinn };
@@ -169,19 +170,27 @@ struct Scene {
     std::vector<Light> lights;       // in file order
     std::vector<Object> objects;     // in file order: the index is the object's id
 
-    // The rest is empty where nothing is animated.
+    // The next two are empty where nothing is animated.
     std::vector<std::string> animated; // paths under [[animate]], in file order
     std::vector<std::size_t> moving;   // objects whose geometry is, ascending
-    // One: what the plan is made from, so that it is the same at every time. The numbers and colours of its
+    // First what the plan is made from, so that it is the same at every time. The numbers and colours of its
     // materials and lights are the means of their keys: 0, and a share 1, only where they are so at every
-    // time. All else is as at the first key.
+    // time. All else is as at the first key. Where latch() made it from what earlier edits held too, the
+    // scene's own comes second. None where nothing is animated or latched.
     std::vector<Scene> typical;
 };
 
-// What holds at every time: the scene itself where nothing is animated.
+// What holds at every time, and held before the latest edits: the scene itself where nothing is animated or
+// latched.
 inline const Scene& typicalOf(const Scene& scene)
 {
     return scene.typical.empty() ? scene : scene.typical.front();
+}
+
+// What holds at every time, whatever held before the latest edits.
+inline const Scene& ownTypicalOf(const Scene& scene)
+{
+    return scene.typical.empty() ? scene : scene.typical.back();
 }
 
 } // namespace dioptre

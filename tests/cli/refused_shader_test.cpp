@@ -71,6 +71,25 @@ const std::vector<Case> shadersCases = {
      "dioptre render p.frag --set n=1.5 -o a.png",
      2,
      {"--set n=1.5", "int"}},
+    {"AnnotationOutsideItsRange",
+     "printf '%s\\n' 'uniform float u_a; // 2 [0, 1] size' 'void main()' '{' '    gl_FragColor = vec4(u_a);' "
+     "'}' "
+     ">p.frag",
+     "dioptre render p.frag --set u_a=0.5 --size 16x9 -o a.png",
+     65,
+     {"p.frag:1:23", "outside the range [0, 1]", "widen the range"}},
+    {"AnnotationOfTheWrongCount",
+     "printf '%s\\n' '' 'uniform vec3 u_a; // [1, 2]' 'void main()' '{' '    gl_FragColor = u_a.xyzz;' '}' "
+     ">p.frag",
+     "dioptre render p.frag --size 16x9 -o a.png",
+     65,
+     {"p.frag:2:22", "vec3", "give 3 numbers"}},
+    {"UniformWithACommentOfWords",
+     "printf '%s\\n' 'uniform float u_a; // as it is' 'void main()' '{' '    gl_FragColor = vec4(u_a);' '}' "
+     ">p.frag",
+     "dioptre render p.frag --size 16x9 -o a.png",
+     65,
+     {"p.frag", "nothing feeds the uniform u_a", "a comment behind it"}},
     {"SetWithoutAValue", plainShader, "dioptre render p.frag --set n -o a.png", 2, {"--set n", "NAME=VALUE"}},
     {"ShaderThatDoesNotLink",
      "printf 'float g();\nvoid mainImage(out vec4 o, in vec2 p)\n{\n    o = vec4(g());\n}\n' >p.frag",
