@@ -4,6 +4,7 @@
 #include "base/error.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,8 +12,43 @@
 namespace dioptre
 {
 
+// What `dioptre live` was asked for.
+struct LiveOptions {
+    std::string input; // gallery name, scene file, plain shader or picture
+    int width = 0;     // of the window, pixels; 0: as remembered, or 1280x720
+    int height = 0;
+    int samples = 64;                    // that a still picture refines itself to
+    double time_s = 0.0;                 // at the start
+    double fps = 60.0;                   // of a step
+    bool paused = false;                 // time stands still at first
+    bool restart = false;                // time begins anew with each reload
+    std::vector<std::string> overrides;  // path=value; of a plain shader uniform=value
+    std::array<std::string, 4> channels; // of a plain shader: see ChannelSource
+    std::string view;                    // data in place of light; "" for none
+    std::string output;                  // of screenshots; the input's name with -1.png and so on where empty
+    std::string screenshotSize;          // WxH; "" for the window's own pixels
+    double drawLimit_s = 5.0;            // that a small picture of a new program may take
+    bool forget = false;                 // neither read nor keep what is remembered of an input
+    bool json = false;                   // a line for each event
+};
+
+// What `dioptre bench --reload` was asked for.
+struct ReloadBenchOptions {
+    std::string input; // a scene
+    int width = 400;   // of the window, pixels
+    int height = 400;
+    int edits = 30; // of each kind
+    bool json = false;
+};
+
+// Commands that need a window, and so its libraries.
+struct WindowCommands {
+    std::function<ExitCode(const LiveOptions&)> live;
+    std::function<ExitCode(const ReloadBenchOptions&)> benchReload;
+};
+
 // Reads the command line (without the program's name) and runs the command that it names.
-ExitCode runCommandLine(const std::vector<std::string>& arguments);
+ExitCode runCommandLine(const std::vector<std::string>& arguments, const WindowCommands& windows);
 
 // What `dioptre render` was asked for.
 struct RenderOptions {

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "command/bench_options.h"
 #include "command/join.h"
+#include "command/live_options.h"
 #include "command/size_option.h"
 #include "gl/context.h"
 #include "render/data_view.h"
@@ -204,7 +205,7 @@ void refuseUnknownCommand(const CLI::App& app, const std::vector<std::string>& a
 
 } // namespace
 
-ExitCode runCommandLine(const std::vector<std::string>& arguments)
+ExitCode runCommandLine(const std::vector<std::string>& arguments, const WindowCommands& windows)
 {
     CLI::App app{"dioptre: ray tracing by one GLSL fragment shader", "dioptre"};
     app.set_version_flag("--version", std::string("dioptre ") + DIOPTRE_VERSION);
@@ -212,6 +213,8 @@ ExitCode runCommandLine(const std::vector<std::string>& arguments)
     RenderOptions options;
     std::string size = "1280x720";
     addRender(app, options, size);
+    LiveOptions liveOptions;
+    addLive(app, liveOptions);
     BenchOptions benchOptions;
     addBench(app, benchOptions);
     JoinOptions joinOptions;
@@ -233,6 +236,8 @@ ExitCode runCommandLine(const std::vector<std::string>& arguments)
         fail(ExitCode::usage, error.what(),
              "run 'dioptre " + (named ? arguments.front() + " " : "") + "--help' for the options");
     }
+    if (app.got_subcommand("live"))
+        return windows.live(liveOptions);
     if (app.got_subcommand("bench"))
         return bench(benchOptions);
     if (app.got_subcommand("join"))

@@ -128,9 +128,6 @@ private:
 
 ContextTry tryWindow()
 {
-    if constexpr (DIOPTRE_LIVE == 0)
-        return {nullptr, "this build has no windows",
-                "configure it with -DDIOPTRE_LIVE=ON, or take another --backend", true};
     const Glfw glfw = loadGlfw();
     if (!glfw.complete())
         return {nullptr, "GLFW 3.3 is not installed",

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 
 namespace dioptre
 {
@@ -21,41 +20,44 @@ std::string authorFile(const SourceText& source)
     return written == source.rend() ? "generated" : written->file;
 }
 
-// Runs `build` and leads the driver's messages back to the lines of the stage that they speak of.
-Program mapped(const SourceText& fragment, const SourceText& vertex, const std::function<Program()>& build)
-{
-    try {
-        return build();
-    } catch (const ShaderError& error) {
-        const SourceText& source = error.inVertexStage ? vertex : fragment;
-        std::string text;
-        std::vector<Complaint> complaints;
-        for (const auto& message : error.messages) {
-            const auto index = static_cast<std::size_t>(message.line) - 1;
-            const SourceLine* line = message.line > 0 && index < source.size() ? &source[index] : nullptr;
-            const SourcePosition where =
-                line ? SourcePosition{line->file, line->line, authorColumn(message, source, index)}
-                     : SourcePosition{authorFile(source)};
-            complaints.push_back({where, message.text, ""});
-            text += fmt::format("{}: {}\n", describe(where), message.text);
-            if (line)
-                text += fmt::format("    {}\n", line->text);
-        }
-        fail(ExitCode::badInput, text + "the shader does not compile", "mend the lines named above",
-             std::move(complaints));
-    }
-}
-
 } // namespace
+
+void failToBuild(const ShaderError& error, const SourceText& fragment, const SourceText& vertex)
+{
+    const SourceText& source = error.inVertexStage ? vertex : fragment;
+    std::string text;
+    std::vector<Complaint> complaints;
+    for (const auto& message : error.messages) {
+        const auto index = static_cast<std::size_t>(message.line) - 1;
+        const SourceLine* line = message.line > 0 && index < source.size() ? &source[index] : nullptr;
+        const SourcePosition where =
+            line ? SourcePosition{line->file, line->line, authorColumn(message, source, index)}
+                 : SourcePosition{authorFile(source)};
+        complaints.push_back({where, message.text, ""});
+        text += fmt::format("{}: {}\n", describe(where), message.text);
+        if (line)
+            text += fmt::format("    {}\n", line->text);
+    }
+    fail(ExitCode::badInput, text + "the shader does not compile", "mend the lines named above",
+         std::move(complaints));
+}
 
 Program buildProgram(const SourceText& fragment, const SourceText& vertex)
 {
-    return mapped(fragment, vertex, [&] { return buildProgram(flatten(fragment), flatten(vertex)); });
+    try {
+        return buildProgram(flatten(fragment), flatten(vertex));
+    } catch (const ShaderError& error) {
+        failToBuild(error, fragment, vertex);
+    }
 }
 
 Program buildProgram(const SourceText& fragment)
 {
-    return mapped(fragment, {}, [&] { return buildProgram(flatten(fragment)); });
+    try {
+        return buildProgram(flatten(fragment));
+    } catch (const ShaderError& error) {
+        failToBuild(error, fragment, {});
+    }
 }
 
 } // namespace dioptre

@@ -12,4 +12,7 @@ namespace dioptre
 Program buildProgram(const SourceText& fragment, const SourceText& vertex);
 Program buildProgram(const SourceText& fragment);
 
+// The same for what another process heard of its driver.
+[[noreturn]] void failToBuild(const ShaderError& error, const SourceText& fragment, const SourceText& vertex);
+
 } // namespace dioptre

@@ -40,6 +40,9 @@ double brightestRadiance(const Scene& scene, const Plan& plan, double sky);
 // where a texel is NaN.
 void loadPictures(const Scene& scene, const Plan& plan, PackedScene& packed, const PictureCache& cache = {});
 
+// The same of the sky's alone.
+void loadSkyPicture(const Scene& scene, const Plan& plan, PackedScene& packed, const PictureCache& cache);
+
 // The smallest weight of a path that is traced: trace.cut_off over the brightest radiance, the loaded sky's
 // included.
 void setCutOff(const Scene& scene, const Plan& plan, PackedScene& packed);

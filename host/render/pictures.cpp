@@ -94,17 +94,22 @@ std::vector<Picture> loadSky(const Sky& sky, const PictureCache& cache)
 
 } // namespace
 
+void loadSkyPicture(const Scene& scene, const Plan& plan, PackedScene& packed, const PictureCache& cache)
+{
+    if (plan.has("sky picture") && scene.sky.kind == Sky::Kind::image)
+        packed.sky_picture = loadSky(scene.sky, cache);
+}
+
 void loadPictures(const Scene& scene, const Plan& plan, PackedScene& packed, const PictureCache& cache)
 {
     packed.pictures.resize(plan.pictures.size());
-    const std::size_t skies = plan.has("sky picture") && scene.sky.kind == Sky::Kind::image ? 1 : 0;
     // The sky comes first: it takes longest.
-    inParallel(skies + plan.pictures.size(), [&](std::size_t i) {
-        if (i < skies)
-            packed.sky_picture = loadSky(scene.sky, cache);
+    inParallel(1 + plan.pictures.size(), [&](std::size_t i) {
+        if (i == 0)
+            loadSkyPicture(scene, plan, packed, cache);
         else
-            packed.pictures[i - skies] =
-                loadMipmaps(plan.pictures[i - skies].path, plan.pictures[i - skies].encoding, cache);
+            packed.pictures[i - 1] =
+                loadMipmaps(plan.pictures[i - 1].path, plan.pictures[i - 1].encoding, cache);
     });
 }
 
@@ -115,11 +120,9 @@ void setCutOff(const Scene& scene, const Plan& plan, PackedScene& packed)
     double sky = 0.0;
     for (const auto& colour : {packed.sky.colour, packed.sky.horizon, packed.sky.zenith})
         sky = std::max({sky, colour.x, colour.y, colour.z});
-    if (!packed.sky_picture.empty()) {
-        if (!packed.skyPictureBrightness)
-            packed.skyPictureBrightness = brightSky(packed.sky_picture.front());
-        sky *= *packed.skyPictureBrightness;
-    }
+    if (!packed.sky_picture.empty() && !packed.skyPictureBrightness)
+        packed.skyPictureBrightness = brightSky(packed.sky_picture.front());
+    sky *= packed.skyPictureBrightness.value_or(1.0);
     packed.cutOff = scene.trace.cutOff / brightestRadiance(scene, plan, sky);
 }
 

@@ -164,14 +164,19 @@ std::size_t countEndedLoops(const Picture& picture)
     return count;
 }
 
+void failForEndedLoops(const std::filesystem::path& shader, std::size_t pixels)
+{
+    fail(ExitCode::badInput, {shader.string()},
+         fmt::format("this software driver ended the loops of {} pixels after {} iterations", pixels,
+                     softwareLoopCap),
+         "look for a loop that does not end, or needs fewer iterations, or draw on a graphics card");
+}
+
 PixelCounts PlainRenderer::finish(Picture& picture) const
 {
     const std::size_t ended = loaded_.text.checksLoops ? countEndedLoops(picture) : 0;
     if (ended > 0)
-        fail(ExitCode::badInput, {loaded_.shader.string()},
-             fmt::format("this software driver ended the loops of {} pixels after {} iterations", ended,
-                         softwareLoopCap),
-             "look for a loop that does not end, or needs fewer iterations, or draw on a graphics card");
+        failForEndedLoops(loaded_.shader, ended);
     return {0.0, countNonfinite(picture)};
 }
 

@@ -44,6 +44,9 @@ void startVariablesAtZero();
 // Pixels that say that a driver ended their loops, see PlainText.
 std::size_t countEndedLoops(const Picture& picture);
 
+// Throws badInput: in so many pixels.
+[[noreturn]] void failForEndedLoops(const std::filesystem::path& shader, std::size_t pixels);
+
 class PlainRenderer final : public Drawing
 {
 public:

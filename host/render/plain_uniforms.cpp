@@ -19,7 +19,7 @@ using Numbers = UniformType::Numbers;
 
 std::vector<double> valueFor(const UniformType& type, const ActiveUniform& uniform, const std::string& text)
 {
-    const auto numbers = uniformNumbers(text);
+    const auto numbers = numbersIn(text);
     const auto wanted = numbersOf(type, uniform);
     if (!numbers || numbers->size() != wanted ||
         !std::ranges::all_of(*numbers, [&](double number) { return fits(type, number); }))
@@ -128,38 +128,6 @@ bool setToOwnDefault(const ActiveUniform& uniform, const std::vector<Annotation>
 }
 
 } // namespace
-
-std::optional<std::vector<double>> uniformNumbers(std::string text)
-{
-    if (text.starts_with('#') && text.size() == 7) {
-        std::vector<double> colour;
-        for (std::size_t i = 1; i < 7; i += 2) {
-            int byte = 0;
-            const auto [end, fault] = std::from_chars(&text[i], &text[i] + 2, byte, 16);
-            if (fault != std::errc() || end != &text[i] + 2)
-                return std::nullopt;
-            colour.push_back(byte / 255.0);
-        }
-        return colour;
-    }
-    if (text.starts_with('[') && text.ends_with(']'))
-        text = text.substr(1, text.size() - 2);
-    std::vector<double> numbers;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const auto comma = std::min(text.find(',', begin), text.size());
-        std::string word = text.substr(begin, comma - begin);
-        std::erase(word, ' ');
-        begin = comma + 1;
-        double number = word == "true" ? 1.0 : 0.0;
-        if (word != "true" && word != "false") {
-            const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), number);
-            if (word.empty() || fault != std::errc() || end != word.data() + word.size())
-                return std::nullopt;
-        }
-        numbers.push_back(number);
-    }
-    return numbers;
-}
 
 HostNumbers hostUniforms(const PlainFrame& frame, int width, int height,
                          const std::array<glm::ivec2, 4>& channelSizes_px)

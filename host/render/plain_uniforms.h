@@ -47,10 +47,6 @@ struct PlainFrame {
 // NAME=value of --set, by name.
 using PlainValues = std::map<std::string, std::string>;
 
-// The numbers of such a value: "0.5", "true", "[1, 2, 3]", "1,2,3", "#ff8000" (shares of 255, as a shader
-// takes them).
-std::optional<std::vector<double>> uniformNumbers(std::string text);
-
 // A uniform's numbers by name: as many as its type wants, or more, or fewer (then the rest is 0).
 using HostNumbers = std::map<std::string, std::vector<double>>;
 

@@ -28,23 +28,31 @@ std::vector<PicturePart> partsOf(const PreparedScene& prepared, const ViewSettin
 // Where the picture cuts a path hangs on its brightest light: a view of the ray tree looks at that very tree.
 void setCutOff(PreparedScene& prepared, const Scene& scene, const ViewSettings& view)
 {
-    setCutOff(prepared.scene, prepared.plan, prepared.packed);
     if (!showsRayTree(view.view))
-        return;
-    ViewSettings light = view;
-    light.view = DataView::none;
-    prepared.packed.cutOff = prepare(scene, light).packed.cutOff;
+        return setCutOff(prepared.scene, prepared.plan, prepared.packed);
+    const Scene lit = underLightType(scene);
+    const Plan plan = makePlan(lit);
+    PackedScene packed = pack(lit, plan, View{view.height, view.samples});
+    packed.skyPictureBrightness = prepared.packed.skyPictureBrightness;
+    if (!packed.skyPictureBrightness)
+        loadSkyPicture(lit, plan, packed, view.pictures);
+    setCutOff(lit, plan, packed);
+    prepared.packed.skyPictureBrightness = packed.skyPictureBrightness;
+    prepared.packed.cutOff = packed.cutOff;
 }
 
 } // namespace
 
-PreparedScene prepare(const Scene& scene, const ViewSettings& view)
+PreparedScene prepare(const Scene& scene, const ViewSettings& view, const PictureSource& pictures)
 {
     PreparedScene prepared;
     prepared.scene = underView(underLightType(scene), view.view);
     prepared.plan = makePlan(prepared.scene, view.view);
     prepared.packed = pack(prepared.scene, prepared.plan, View{view.height, view.samples});
-    loadPictures(prepared.scene, prepared.plan, prepared.packed, view.pictures);
+    if (pictures)
+        pictures(prepared.scene, prepared.plan, prepared.packed);
+    else
+        loadPictures(prepared.scene, prepared.plan, prepared.packed, view.pictures);
     setCutOff(prepared, scene, view);
     addNeutralPictures(prepared.plan, prepared.packed);
     prepared.parts = partsOf(prepared, view);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 
 namespace dioptre
 {
@@ -41,8 +42,12 @@ struct PreparedScene {
     std::vector<PicturePart> parts; // of the picture, the fullest last
 };
 
-// Throws badInput and inputMissing for faults in the scene's numbers and pictures.
-PreparedScene prepare(const Scene& scene, const ViewSettings& view);
+// Fills in the pictures of a packed scene, as loadPictures() does.
+using PictureSource = std::function<void(const Scene&, const Plan&, PackedScene&)>;
+
+// Throws badInput and inputMissing for faults in the scene's numbers and pictures. `pictures`: where they come
+// from, in place of their files.
+PreparedScene prepare(const Scene& scene, const ViewSettings& view, const PictureSource& pictures = {});
 
 // The same scene at another time, in place: its plan, shader, parts and pictures stay as they are. `view` is
 // that of prepare(). Throws badInput for faults in the scene's numbers.

@@ -4,7 +4,9 @@
 #include "gl/target.h"
 #include "gl/uniform.h"
 #include "gl/wait.h"
+#include "render/annotation.h"
 #include "render/device_scene.h"
+#include "render/number_list.h"
 #include "render/still.h"
 
 #include <algorithm>
@@ -100,8 +102,10 @@ ProgramTrial trialOf(const LoadedPlain& loaded, const PlainSettings& plain)
     std::ranges::transform(loaded.channels, sizes_px.begin(), &ChannelPictures::size_px);
     trial.uniforms = frameNumbers(plain.frame, trialSize_px, {0, 0}, sizes_px);
     for (const auto& [name, value] : plain.values)
-        if (const auto numbers = uniformNumbers(value))
+        if (const auto numbers = numbersIn(value))
             trial.uniforms[name] = *numbers;
+    for (const auto& annotation : annotationsOf(loaded.text.text))
+        trial.uniforms.emplace(annotation.name, annotation.defaults);
     for (std::size_t i = 0; i < loaded.channels.size(); ++i)
         trial.textures.emplace_back("iChannel" + std::to_string(i), loaded.channels[i].shape);
     return trial;

@@ -1,0 +1,187 @@
+#include "live/load_once.h"
+
+#include "base/clock.h"
+#include "base/file.h"
+#include "render/input_files.h"
+#include "render/latch.h"
+#include "render/pack.h"
+#include "render/shared_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sys/stat.h>
+
+namespace dioptre
+{
+namespace
+{
+
+// What changes when a file's contents do.
+std::string fingerprintOf(const std::string& path)
+{
+    struct stat file {};
+    if (::stat(path.c_str(), &file) != 0)
+        return path + " none\n";
+    return fmt::format("{} {} {} {} {}\n", path, file.st_ino, file.st_size, file.st_mtim.tv_sec,
+                       file.st_mtim.tv_nsec);
+}
+
+ViewSettings viewOf(const LoadRequest& request, const DeviceTraits& device)
+{
+    ViewSettings view;
+    view.width = request.look.size_px.x;
+    view.height = request.look.size_px.y;
+    view.samples = request.look.samples;
+    view.view = request.look.view;
+    view.glslFolder = glslFolder();
+    view.pictures = pictureCache();
+    view.drawLimit_s = device.drawLimit_s;
+    return view;
+}
+
+std::string picturesOf(const Scene& scene, const Plan& plan)
+{
+    std::string all;
+    for (const auto& use : plan.pictures)
+        all += fmt::format("{} {}", static_cast<int>(use.encoding), fingerprintOf(use.path));
+    if (plan.has("sky picture") && scene.sky.kind == Sky::Kind::image)
+        all += fmt::format("sky {} {}", static_cast<int>(scene.sky.encoding), fingerprintOf(scene.sky.image));
+    return all;
+}
+
+// From memory where they are the ones that were loaded last.
+void takePictures(const Scene& scene, const Plan& plan, PackedScene& packed, const PictureCache& cache,
+                  KeptPictures& kept)
+{
+    const std::string fingerprint = picturesOf(scene, plan);
+    if (kept.fingerprint != fingerprint) {
+        kept = {};
+        PackedScene loaded;
+        loadPictures(scene, plan, loaded, cache);
+        kept = {fingerprint, std::move(loaded.pictures), std::move(loaded.sky_picture), {}};
+    }
+    packed.pictures = std::move(kept.pictures);
+    packed.sky_picture = std::move(kept.sky);
+    packed.skyPictureBrightness = kept.skyBrightness;
+}
+
+// They go on with what is loaded where the device is to get them, and are kept in any case.
+void givePicturesBack(Loaded& loaded, KeptPictures& kept)
+{
+    PackedScene& packed = loaded.scene->prepared.packed;
+    kept.skyBrightness = packed.skyPictureBrightness;
+    if (loaded.texts == loaded.request.shownTexts && loaded.pictures == loaded.request.shownPictures) {
+        kept.pictures = std::move(packed.pictures);
+        kept.sky = std::move(packed.sky_picture);
+        packed.pictures.clear();
+        packed.sky_picture.clear();
+    } else {
+        kept.pictures = packed.pictures;
+        kept.sky = packed.sky_picture;
+    }
+}
+
+void loadScene(Loaded& loaded, const DeviceTraits& device, const std::string& text, KeptPictures& kept)
+{
+    const LoadRequest& request = loaded.request;
+    const Look& look = request.look;
+    LoadedScene result;
+    result.atTime = parseSceneOverTime(text, look.input.path, look.overrides);
+    auto scene = std::make_shared<Scene>(
+        sceneUnder(look, result.atTime, request.time_s, request.shown.get()));
+    result.scene = scene;
+    result.prepared = prepare(*scene, loaded.view, [&](const Scene& seen, const Plan& plan, PackedScene& packed) {
+        takePictures(seen, plan, packed, loaded.view.pictures, kept);
+    });
+    loaded.pictures = kept.fingerprint;
+    result.parts = assembleParts(result.prepared, loaded.view.glslFolder, device.sharedVectors);
+    for (const auto& part : result.parts)
+        loaded.texts += flatten(part.shader) + flatten(part.vertex);
+    if (loaded.texts != request.shownTexts)
+        for (const auto& part : result.parts)
+            loaded.trials.push_back(trialOf(part, result.prepared.packed));
+    loaded.scene = std::move(result);
+    givePicturesBack(loaded, kept);
+}
+
+void loadShader(Loaded& loaded, const DeviceTraits& device)
+{
+    const LoadRequest& request = loaded.request;
+    PlainSettings& settings = loaded.plainSettings;
+    for (std::size_t i = 0; i < settings.channels.size(); ++i)
+        settings.channels[i] = channelSource(request.look.channels[i], i);
+    settings.frame = request.frame;
+    settings.values = request.look.values;
+    for (const auto& channel : settings.channels)
+        for (const auto& file : channel.files)
+            loaded.pictures += fingerprintOf(file);
+    loaded.plain = loadPlain(request.look.input.path, loaded.view, settings, device.software);
+    loaded.texts = flatten(loaded.plain->text.text);
+    for (const auto kind : loaded.plain->form.channels)
+        loaded.texts += kind == ChannelKind::cube ? "c" : "p";
+    if (loaded.texts != request.shownTexts)
+        loaded.trials.push_back(trialOf(*loaded.plain, settings));
+}
+
+std::vector<std::filesystem::path> filesOf(const Look& look, const std::string& text)
+{
+    const SearchPlaces places{glslFolder()};
+    if (!look.input.plainShader)
+        return filesOfScene(look.input.path, text, places);
+    auto files = filesOfShader(look.input.path, places);
+    for (std::size_t i = 0; i < look.channels.size(); ++i)
+        for (const auto& file : channelSource(look.channels[i], i).files)
+            files.emplace_back(file);
+    return files;
+}
+
+} // namespace
+
+Scene sceneUnder(const Look& look, const SceneOverTime& atTime, double time_s, const Scene* before)
+{
+    Scene scene = atTime(time_s);
+    if (look.camera) {
+        const auto inside = scene.camera.inside;
+        scene.camera = *look.camera;
+        scene.camera.inside = inside;
+    }
+    // One program draws all of the picture: its parts would move with the camera.
+    for (Scene* each : {&scene, scene.typical.empty() ? &scene : &scene.typical.front()})
+        each->plan.tiles = PlanChoices::Tiles::off;
+    if (before != nullptr)
+        latch(scene, *before);
+    return scene;
+}
+
+LoadOutcome loadOnce(const LoadRequest& request, const DeviceTraits& device, KeptPictures& kept)
+{
+    LoadOutcome outcome;
+    outcome.request = request;
+    outcome.files = {request.look.input.path};
+    try {
+        Stopwatch watch;
+        Loaded loaded;
+        loaded.request = request;
+        loaded.view = viewOf(request, device);
+        const bool plain = request.look.input.plainShader;
+        const std::string text = plain ? "" : readFile(request.look.input.path);
+        outcome.files = filesOf(request.look, text);
+        if (plain)
+            loadShader(loaded, device);
+        else
+            loadScene(loaded, device, text, kept);
+        loaded.files = outcome.files;
+        loaded.load_ms = watch.lap_ms();
+        outcome.loaded = std::move(loaded);
+    } catch (const Error& error) {
+        outcome.error = error;
+    } catch (const std::exception& error) {
+        outcome.error = Error(ExitCode::checkFailed, std::string("unexpected: ") + error.what());
+    }
+    if (outcome.error) // what was on its way may be lost
+        kept = {};
+    return outcome;
+}
+
+} // namespace dioptre

@@ -1,0 +1,74 @@
+// What a window shows, from its files up to what the device must do.
+#pragma once
+
+#include "base/error.h"
+#include "command/input.h"
+#include "render/assembled_part.h"
+#include "render/plain.h"
+#include "render/trial.h"
+#include "scene/load.h"
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dioptre
+{
+
+// What the user wants to see, apart from the moment.
+struct Look {
+    Input input;
+    std::vector<std::string> overrides;  // path=value, of a scene
+    PlainValues values;                  // NAME=value of --set, of a plain shader
+    std::array<std::string, 4> channels; // of a plain shader
+    std::optional<Camera> camera;        // in place of the scene's; its medium is the scene's
+    DataView view = DataView::none;
+    int samples = 64;                 // a pixel, that a still picture comes to
+    glm::ivec2 size_px{1280, 720};    // of the picture
+};
+
+struct LoadRequest {
+    long number = 0; // counts up
+    Look look;
+    double time_s = 0.0;
+    PlainFrame frame;                   // of a plain shader
+    std::shared_ptr<const Scene> shown; // on which features latch; null at first
+    std::string shownTexts;             // as Loaded has them: pictures that are on the device stay there
+    std::string shownPictures;
+};
+
+struct LoadedScene {
+    SceneOverTime atTime;
+    std::shared_ptr<const Scene> scene; // as loaded and latched
+    PreparedScene prepared;             // without pictures where those that are shown do
+    std::vector<AssembledPart> parts;
+};
+
+struct Loaded {
+    LoadRequest request;
+    ViewSettings view;
+    std::optional<LoadedScene> scene;
+    std::optional<LoadedPlain> plain;
+    PlainSettings plainSettings;      // of a plain shader
+    std::vector<ProgramTrial> trials; // of what would have to be compiled
+    std::string texts;                // of all shaders: equal ones need no compiler
+    std::string pictures;             // fingerprint of the picture files
+    std::vector<std::filesystem::path> files; // that fed it, or would
+    double load_ms = 0.0;
+};
+
+// A load that failed still tells the files to look after.
+struct LoadOutcome {
+    LoadRequest request;
+    std::optional<Loaded> loaded;
+    std::optional<Error> error;
+    std::vector<std::filesystem::path> files;
+};
+
+// A scene at a time under a look: its camera, and its features latched on `before`.
+Scene sceneUnder(const Look& look, const SceneOverTime& atTime, double time_s, const Scene* before);
+
+} // namespace dioptre

@@ -1,0 +1,63 @@
+#include "live/loader.h"
+
+#include "live/load_once.h"
+
+namespace dioptre
+{
+
+Loader::Loader(const DeviceTraits& device, std::function<void()> wake)
+    : device_(device), wake_(std::move(wake)), thread_([this] { run(); })
+{
+}
+
+Loader::~Loader()
+{
+    {
+        const std::lock_guard lock(mutex_);
+        ending_ = true;
+    }
+    asked_.notify_one();
+    thread_.join();
+}
+
+void Loader::request(LoadRequest request)
+{
+    {
+        const std::lock_guard lock(mutex_);
+        request_ = std::move(request);
+    }
+    asked_.notify_one();
+}
+
+std::optional<LoadOutcome> Loader::take()
+{
+    const std::lock_guard lock(mutex_);
+    return std::exchange(outcome_, std::nullopt);
+}
+
+bool Loader::isBusy() const
+{
+    const std::lock_guard lock(mutex_);
+    return request_.has_value() || working_ || outcome_.has_value();
+}
+
+void Loader::run()
+{
+    KeptPictures kept;
+    std::unique_lock lock(mutex_);
+    while (true) {
+        asked_.wait(lock, [this] { return ending_ || request_; });
+        if (ending_)
+            return;
+        const LoadRequest request = *std::exchange(request_, std::nullopt);
+        working_ = true;
+        lock.unlock();
+        LoadOutcome outcome = loadOnce(request, device_, kept);
+        lock.lock();
+        working_ = false;
+        outcome_ = std::move(outcome);
+        wake_();
+    }
+}
+
+} // namespace dioptre

@@ -1,0 +1,51 @@
+// Loads what a window shows on a thread of its own, so that the picture goes on meanwhile.
+#pragma once
+
+#include "live/loaded.h"
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace dioptre
+{
+
+// What of the device texts hang on.
+struct DeviceTraits {
+    bool software = false;
+    int sharedVectors = 0; // vec4 from the vertex stage to a pixel
+    double drawLimit_s = 30.0;
+};
+
+class Loader
+{
+public:
+    // `wake` is called from another thread when there is something to take.
+    Loader(const DeviceTraits& device, std::function<void()> wake);
+    Loader(const Loader&) = delete;
+    Loader& operator=(const Loader&) = delete;
+    ~Loader();
+
+    // Of several that wait the last is loaded alone.
+    void request(LoadRequest request);
+
+    std::optional<LoadOutcome> take();
+
+    bool isBusy() const;
+
+private:
+    void run();
+
+    DeviceTraits device_;
+    std::function<void()> wake_;
+    mutable std::mutex mutex_;
+    std::condition_variable asked_;
+    std::optional<LoadRequest> request_;
+    std::optional<LoadOutcome> outcome_;
+    bool working_ = false;
+    bool ending_ = false;
+    std::thread thread_;
+};
+
+} // namespace dioptre

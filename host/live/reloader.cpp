@@ -1,0 +1,151 @@
+#include "live/reloader.h"
+
+#include "render/build.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace dioptre
+{
+namespace
+{
+
+// The reply's fault as an error at the author's lines; nothing where it has none.
+std::optional<Error> errorOf(const TrialReply& reply, const Loaded& loaded)
+{
+    const std::string path = loaded.request.look.input.path.string();
+    try {
+        if (!reply.fault.empty())
+            fail(ExitCode::badInput, {path}, reply.fault,
+                 "look for a loop that does not end, or for what this driver may not take");
+        for (std::size_t i = 0; i < reply.outcomes.size(); ++i) {
+            const TrialOutcome& outcome = reply.outcomes[i];
+            if (!outcome.messages.empty())
+                failToBuild({outcome.messages, outcome.inVertexStage},
+                            loaded.plain ? loaded.plain->text.text : loaded.scene->parts[i].shader,
+                            loaded.plain ? SourceText{} : loaded.scene->parts[i].vertex);
+            if (loaded.trials[i].marksEndedLoops && outcome.endedLoops > 0)
+                failForEndedLoops(path, outcome.endedLoops);
+        }
+    } catch (const Error& error) {
+        return error;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+Reloader::Reloader(const DeviceTraits& device, std::function<void()> wake)
+    : device_(device), watcher_(wake), loader_(device, wake), trier_(wake)
+{
+}
+
+long Reloader::ask(const Look& look, double time_s, const PlainFrame& frame, const Loaded* shown)
+{
+    LoadRequest request{++number_, look, time_s, frame, nullptr, "", ""};
+    if (shown != nullptr && shown->request.look.input.path == look.input.path) {
+        request.shownTexts = shown->texts;
+        request.shownPictures = shown->pictures;
+        // Features latch on what is on its way already, so that it need not be compiled again.
+        const Loaded& latest = pending_ ? *pending_ : *shown;
+        if (latest.scene)
+            request.shown = latest.scene->scene;
+    }
+    askedAt_ = std::chrono::steady_clock::now();
+    loader_.request(std::move(request));
+    return number_;
+}
+
+bool Reloader::filesChanged()
+{
+    return !watcher_.changed().empty();
+}
+
+void Reloader::watch(const std::vector<std::filesystem::path>& files, const Loaded* shown)
+{
+    // What the last good picture came from counts too: an edit of it may be the mend.
+    std::set<std::filesystem::path> all(files.begin(), files.end());
+    if (shown != nullptr)
+        all.insert(shown->files.begin(), shown->files.end());
+    watcher_.watch({all.begin(), all.end()});
+}
+
+ReloadOutcome Reloader::outcomeOf(const LoadRequest& request) const
+{
+    ReloadOutcome outcome;
+    outcome.number = request.number;
+    outcome.waited_ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - askedAt_).count();
+    return outcome;
+}
+
+std::optional<ReloadOutcome> Reloader::step(const Loaded* shown)
+{
+    if (auto outcome = loader_.take())
+        if (auto result = heard(std::move(*outcome), shown))
+            return result;
+    if (const auto reply = trier_.take())
+        return tried(*reply);
+    return std::nullopt;
+}
+
+std::optional<ReloadOutcome> Reloader::heard(LoadOutcome heard, const Loaded* shown)
+{
+    const LoadRequest& request = heard.request;
+    watch(heard.files, shown);
+    ReloadOutcome outcome = outcomeOf(request);
+    if (heard.error) {
+        if (request.number != number_)
+            return std::nullopt; // a later one will tell
+        trier_.cancel();
+        pending_.reset();
+        outcome.error = std::move(heard.error);
+        return outcome;
+    }
+    Loaded& loaded = *heard.loaded;
+    if (shown != nullptr && loaded.texts == shown->texts && loaded.scene.has_value() == shown->scene.has_value()) {
+        if (request.number == number_) {
+            trier_.cancel();
+            pending_.reset();
+        }
+        outcome.loaded = std::move(loaded);
+        return outcome;
+    }
+    if (loaded.trials.empty()) { // it was to take over what is shown no more
+        ask(request.look, request.time_s, request.frame, shown);
+        return std::nullopt;
+    }
+    const bool sameTexts = pending_ && pending_->texts == loaded.texts;
+    if (!sameTexts || !trier_.isBusy())
+        trier_.start(request.number, loaded.trials, device_.drawLimit_s);
+    pending_ = std::move(loaded);
+    return std::nullopt;
+}
+
+std::optional<ReloadOutcome> Reloader::tried(const TrialReply& reply)
+{
+    if (!pending_)
+        return std::nullopt;
+    ReloadOutcome outcome = outcomeOf(pending_->request);
+    outcome.error = errorOf(reply, *pending_);
+    if (outcome.error && pending_->plain && pending_->plain->text.checksLoops && reply.fault.empty() &&
+        !reply.outcomes.back().messages.empty()) {
+        // The check of loops may fail where the shader would not.
+        leaveOutLoopCheck(*pending_->plain, pending_->view.glslFolder);
+        pending_->trials = {trialOf(*pending_->plain, pending_->plainSettings)};
+        trier_.start(reply.number, pending_->trials, device_.drawLimit_s);
+        return std::nullopt;
+    }
+    for (const auto& each : reply.outcomes) {
+        outcome.compile_ms += each.compile_ms;
+        outcome.firstDraw_ms += each.firstDraw_ms;
+        outcome.mean = each.mean;
+    }
+    if (!outcome.error)
+        outcome.loaded = std::move(*pending_);
+    pending_.reset();
+    return outcome;
+}
+
+} // namespace dioptre

@@ -1,0 +1,66 @@
+// From a change of files or of what is wanted to a picture that is safe to show: loaded on one thread, its
+// programs tried in another process, while the last picture goes on.
+#pragma once
+
+#include "base/file_watcher.h"
+#include "live/loader.h"
+#include "live/trier.h"
+
+#include <optional>
+#include <set>
+
+namespace dioptre
+{
+
+// What came of a change. Without a picture there is an error.
+struct ReloadOutcome {
+    long number = 0; // of the request
+    std::optional<Loaded> loaded;
+    std::optional<Error> error;
+    double compile_ms = 0.0;   // by the helper; 0 where nothing was compiled
+    double firstDraw_ms = 0.0; // likewise
+    double waited_ms = 0.0;    // since the request
+    std::array<double, 4> mean{};
+};
+
+class Reloader
+{
+public:
+    // `wake` is called from other threads when step() has something to do.
+    Reloader(const DeviceTraits& device, std::function<void()> wake);
+
+    // Asks for a picture of what the files hold now. Gives the request's number.
+    long ask(const Look& look, double time_s, const PlainFrame& frame, const Loaded* shown);
+
+    // Whether a file that feeds the picture has changed since the last call.
+    bool filesChanged();
+
+    // What is ready, if anything. `shown`: as it is now; null where there is nothing yet.
+    std::optional<ReloadOutcome> step(const Loaded* shown);
+
+    bool isBusy() const
+    {
+        return loader_.isBusy() || trier_.isBusy();
+    }
+    // Of the compiler, for as long as it works on what was asked for.
+    double compilingFor_s() const
+    {
+        return trier_.busyFor_s();
+    }
+
+private:
+    std::optional<ReloadOutcome> heard(LoadOutcome outcome, const Loaded* shown);
+    std::optional<ReloadOutcome> tried(const TrialReply& reply);
+    void watch(const std::vector<std::filesystem::path>& files, const Loaded* shown);
+    ReloadOutcome outcomeOf(const LoadRequest& request) const;
+
+    DeviceTraits device_;
+    FileWatcher watcher_;
+    Loader loader_;
+    Trier trier_;
+    long number_ = 0;
+    std::optional<Loaded> pending_; // its programs are being tried
+    std::chrono::steady_clock::time_point askedAt_;
+};
+
+} // namespace dioptre
