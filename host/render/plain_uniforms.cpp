@@ -111,17 +111,16 @@ HostNumbers liveNumbers(const LiveValues& live)
 
 // What a uniform starts with that neither --set, nor the host, nor its declaration gives: the value in the
 // comment behind it, or that of a live host at rest. False where there is neither.
-bool setToOwnDefault(const ActiveUniform& uniform, const std::vector<Annotation>& annotations,
+bool setToOwnDefault(const HostUniform& open, const std::vector<Annotation>& annotations,
                      const std::filesystem::path& shader)
 {
     static const HostNumbers atRest = liveNumbers(LiveValues{LightType::lit, 3.0, Camera{}, {}});
-    const auto annotation = std::ranges::find(annotations, uniform.name, &Annotation::name);
-    const auto live = atRest.find(uniform.name);
-    const HostUniform fed{uniform, uniformType(uniform.type)};
+    const auto annotation = std::ranges::find(annotations, open.uniform.name, &Annotation::name);
+    const auto live = atRest.find(open.uniform.name);
     if (annotation != annotations.end() && annotation->inComment)
-        setFitting(fed, annotation->defaults, shader);
+        setFitting(open, annotation->defaults, shader);
     else if (live != atRest.end())
-        setFitting(fed, live->second, shader);
+        setFitting(open, live->second, shader);
     else
         return false;
     return true;
@@ -170,7 +169,7 @@ std::vector<HostUniform> feedOnce(const Program& program, const HostNumbers& hos
     const auto uniforms = activeUniformsOf(program);
     refuseUnknown(values, uniforms, shader);
     const auto annotations = annotationsOf(text);
-    std::vector<HostUniform> fromHost;
+    std::vector<HostUniform> open;
     for (const auto& uniform : uniforms) {
         const UniformType* type = uniformType(uniform.type);
         if (type == nullptr)
@@ -182,21 +181,24 @@ std::vector<HostUniform> feedOnce(const Program& program, const HostNumbers& hos
             setChannel(*type, uniform, shader);
         else if (value != values.end())
             setUniform(*type, uniform, valueFor(*type, uniform, value->second));
-        else if (host.contains(uniform.name))
-            fromHost.push_back({uniform, type});
-        else if (!hasInitialValue(text, uniform.name) && !setToOwnDefault(uniform, annotations, shader))
+        else
+            open.push_back({uniform, type});
+    }
+    for (const auto& [uniform, type] : open)
+        if (!host.contains(uniform.name) && !hasInitialValue(text, uniform.name) &&
+            !setToOwnDefault({uniform, type}, annotations, shader))
             fail(ExitCode::badInput, {shader.string()}, "nothing feeds the uniform " + uniform.name,
                  fmt::format("give --set {}=VALUE, or a value in its declaration or in a comment behind it",
                              uniform.name));
-    }
-    return fromHost;
+    return open;
 }
 
 void feedFrame(const std::vector<HostUniform>& uniforms, const HostNumbers& host,
                const std::filesystem::path& shader)
 {
     for (const auto& fed : uniforms)
-        setFitting(fed, host.at(fed.uniform.name), shader);
+        if (const auto numbers = host.find(fed.uniform.name); numbers != host.end())
+            setFitting(fed, numbers->second, shader);
 }
 
 } // namespace dioptre

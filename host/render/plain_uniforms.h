@@ -41,7 +41,7 @@ struct PlainFrame {
     double rate = 60.0; // frames a second
     Pointer pointer;
     std::optional<CalendarDate> date; // none: 1 January 2026, time_s seconds after midnight
-    LiveValues live;                  // which are set stays the same from the first frame on
+    LiveValues live;                  // one that is no longer set stays as it was
 };
 
 // NAME=value of --set, by name.
@@ -53,21 +53,22 @@ using HostNumbers = std::map<std::string, std::vector<double>>;
 HostNumbers hostUniforms(const PlainFrame& frame, int width, int height,
                          const std::array<glm::ivec2, 4>& channelSizes_px);
 
-// One that a program reads and the host feeds for each frame.
+// One that a program reads and each frame may feed.
 struct HostUniform {
     ActiveUniform uniform;
     const UniformType* type;
 };
 
 // Sets what stays the same for all frames of the program, which must be current: samplers, named iChannel0 to
-// 3, to the units 0 to 3, and `values`. Gives the others, which `host` has names for. Any more have an
-// initial value of their own, one in an annotation, both found in `text`, or LiveValues'. Throws badInput for
-// a uniform that nothing feeds and for a faulty annotation, usage for a value that does not fit its type and
-// for one of `values` that the shader does not read.
+// 3, to the units 0 to 3, and `values`. Gives the others. Of these, any that `host` has no numbers for starts
+// with a value of its own, by its declaration or its annotation, both found in `text`, or at LiveValues'
+// rest. Throws badInput for a uniform that nothing feeds and for a faulty annotation, usage for a value that
+// does not fit its type and for one of `values` that the shader does not read.
 std::vector<HostUniform> feedOnce(const Program& program, const HostNumbers& host, const PlainValues& values,
                                   const std::filesystem::path& shader, const SourceText& text);
 
-// Sets them, of the program that is current. Throws badInput where a number is none of its uniform's type.
+// Sets those that `host` has numbers for, of the program that is current. Throws badInput where a number is
+// none of its uniform's type.
 void feedFrame(const std::vector<HostUniform>& uniforms, const HostNumbers& host,
                const std::filesystem::path& shader);
 
