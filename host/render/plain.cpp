@@ -49,10 +49,11 @@ PlainRenderer::PlainRenderer(const std::filesystem::path& shader, const ViewSett
 {
     Stopwatch watch;
     const PlainForm form = formOf(plain_, view, context);
-    text_ = assemblePlain(shader, view.glslFolder, form);
+    const SearchPlaces places{plain_.included, view.glslFolder};
+    text_ = assemblePlain(shader, places, form);
     std::ranges::transform(plain_.channels, channels_.begin(), makeChannel);
     times_.load = watch.lap_ms();
-    build(form, view.glslFolder);
+    build(form, places);
     times_.compile = watch.lap_ms();
     glUseProgram(program_.name.name());
     uniforms_ = feedOnce(program_, numbers(), plain_.values, shader_, text_.text);
@@ -64,7 +65,7 @@ PlainRenderer::PlainRenderer(const std::filesystem::path& shader, const ViewSett
 
 // The check of loops may fail where the shader would not: its text is not looked at as closely as a compiler
 // does.
-void PlainRenderer::build(PlainForm form, const std::filesystem::path& glslFolder)
+void PlainRenderer::build(PlainForm form, const SearchPlaces& places)
 {
     try {
         program_ = buildProgram(text_.text);
@@ -72,7 +73,7 @@ void PlainRenderer::build(PlainForm form, const std::filesystem::path& glslFolde
         if (!text_.checksLoops)
             throw;
         form.loopsMayBeEnded = false;
-        text_ = assemblePlain(shader_, glslFolder, form);
+        text_ = assemblePlain(shader_, places, form);
         program_ = buildProgram(text_.text);
     }
     if (text_.checksLoops && !text_.discards && !program_.uniforms.contains(loopCheckUniform))

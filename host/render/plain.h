@@ -13,7 +13,8 @@ namespace dioptre
 struct PlainSettings {
     std::array<ChannelSource, 4> channels;
     PlainFrame frame;
-    PlainValues values; // of --set
+    PlainValues values;                          // of --set
+    std::vector<std::filesystem::path> included; // folders of --include
 };
 
 // Before the context is made: uninitialised variables start as 0 on drivers that can (Mesa's), as in a
@@ -47,7 +48,7 @@ protected:
     long passes() const override;
 
 private:
-    void build(PlainForm form, const std::filesystem::path& glslFolder);
+    void build(PlainForm form, const SearchPlaces& places);
     HostNumbers numbers() const; // of the frame
     void bind() const;           // program, channels and what the frame feeds
 
