@@ -90,7 +90,7 @@ ExitCode bench(const BenchOptions& options)
 {
     std::vector<BenchInput> inputs;
     for (const auto& text : options.inputs)
-        inputs.push_back(readBenchInput(text));
+        inputs.push_back(readBenchInput(text, searchPlaces(options.included)));
     if (options.coldStart)
         return startCold(inputs.front(), options);
     refuseBadOptions(options, inputs);

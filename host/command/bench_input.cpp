@@ -48,22 +48,22 @@ std::size_t partingAt(const std::string& text)
 
 } // namespace
 
-BenchInput readBenchInput(const std::string& text)
+BenchInput readBenchInput(const std::string& text, const SearchPlaces& places)
 {
     const std::size_t parting = partingAt(text);
     const Input input = findInput(text.substr(0, parting));
     if (parting == text.size())
-        return {text, input.path, {}, input.plainShader};
+        return {text, input.path, {}, input.plainShader, places};
     if (parting + 1 == text.size())
         fail(ExitCode::usage, text + " has nothing behind its @",
              "write path=value there, as in still_life@trace.form=loop, or leave the @ out");
-    return {text, input.path, splitOverrides(text.substr(parting + 1)), input.plainShader};
+    return {text, input.path, splitOverrides(text.substr(parting + 1)), input.plainShader, places};
 }
 
 Scene sceneOf(const BenchInput& input)
 {
     try {
-        return loadScene(input.file, input.overrides);
+        return loadScene(input.file, input.overrides, 0.0, input.places);
     } catch (const Error& error) { // "--set …" alone would not say which of the inputs it is
         failAgain(error, input.overrides.empty() ? error.what() : input.name + ": " + error.what());
     }
@@ -75,6 +75,7 @@ BenchDrawing drawingOf(const BenchInput& input, const ViewSettings& view, const 
     if (input.plainShader) {
         PlainSettings plain;
         plain.values = plainValues(input.overrides);
+        plain.included = input.places.included;
         made.drawing = std::make_unique<PlainRenderer>(input.file, view, plain, context);
     } else {
         made.prepared = std::make_unique<PreparedScene>(prepare(sceneOf(input), view));

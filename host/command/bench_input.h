@@ -1,6 +1,7 @@
 // What a user's SCENE@path=value,… or SHADER@uniform=value,… means.
 #pragma once
 
+#include "base/search_places.h"
 #include "gl/context.h"
 #include "render/drawing.h"
 #include "render/prepare.h"
@@ -19,10 +20,11 @@ struct BenchInput {
     std::filesystem::path file;
     std::vector<std::string> overrides; // path=value; of a plain shader uniform=value
     bool plainShader = false;
+    SearchPlaces places; // of its pictures and includes
 };
 
 // Throws usage and inputMissing.
-BenchInput readBenchInput(const std::string& text);
+BenchInput readBenchInput(const std::string& text, const SearchPlaces& places);
 
 // The scene under its overrides. Faults name the input, which must be no plain shader.
 Scene sceneOf(const BenchInput& input);

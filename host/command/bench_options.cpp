@@ -1,5 +1,6 @@
 #include "command/bench_options.h"
 
+#include "command/include_option.h"
 #include "command/size_option.h"
 #include "gl/context.h"
 
@@ -36,6 +37,7 @@ void addBench(CLI::App& app, BenchOptions& options)
                      "processes a input that compile and draw first without the driver's disk cache")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
+    addInclude(*command, options.included);
     command->add_option("--backend", options.backend, "where to draw")
         ->check(CLI::IsMember(backendNames()))
         ->capture_default_str();

@@ -48,10 +48,19 @@ std::string messageIn(const std::string& error)
 void startOnce(const BenchInput& input, const BenchOptions& options, BenchRow& row)
 {
     const std::string size = fmt::format("{}x{}", options.width, options.height);
-    const auto outcome = runChild({"/proc/self/exe", "bench", "--cold-start", "--size", size, "--spp",
-                                   std::to_string(options.samples.value_or(1)), "--backend", options.backend,
-                                   "--", input.name},
-                                  withoutDiskCache);
+    std::vector<std::string> command{"/proc/self/exe",
+                                     "bench",
+                                     "--cold-start",
+                                     "--size",
+                                     size,
+                                     "--spp",
+                                     std::to_string(options.samples.value_or(1)),
+                                     "--backend",
+                                     options.backend};
+    for (const auto& folder : options.included)
+        command.insert(command.end(), {"--include", folder});
+    command.insert(command.end(), {"--", input.name});
+    const auto outcome = runChild(command, withoutDiskCache);
     if (!outcome)
         fail(ExitCode::retry, "the program cannot start itself again",
              "see whether memory or processes are short");

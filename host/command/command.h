@@ -60,6 +60,7 @@ struct RenderOptions {
     double time_s = 0.0; // of animations and u_time
     int budget = 0;      // rays a sample; 0 leaves it to the scene
     std::vector<std::string> overrides;  // path=value; of a plain shader uniform=value
+    std::vector<std::string> included;   // folders that scenes and shaders may take files from
     std::array<std::string, 4> channels; // of a plain shader: see ChannelSource
     std::string mouse;                   // of a plain shader: "X,Y" or "X,Y,down"; "" for never touched
     std::string backend = "auto";
@@ -89,8 +90,9 @@ struct BenchOptions {
     int width = 400;                 // pixels
     int height = 400;                // pixels
     std::optional<int> samples;      // a pixel, in each frame of a scene; 1 where unset
-    int frames = 0;                  // of each input; 0: as many as a time allows, up to 30
-    int coldStarts = 5;              // of each input, each in a process of its own
+    std::vector<std::string> included; // folders that scenes and shaders may take files from
+    int frames = 0;                    // of each input; 0: as many as a time allows, up to 30
+    int coldStarts = 5;                // of each input, each in a process of its own
     std::string backend = "auto";
     bool python = false; // hold a plain Python tracer to them
     bool json = false;

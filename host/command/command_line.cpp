@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "command/bench_options.h"
+#include "command/include_option.h"
 #include "command/join.h"
 #include "command/live_options.h"
 #include "command/size_option.h"
@@ -144,6 +145,7 @@ void addRender(CLI::App& app, RenderOptions& options, std::string& size)
                      "be repeated")
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false);
+    addInclude(*command, options.included);
     addPlain(*command, options);
     command->add_option("--backend", options.backend, "where to draw")
         ->check(CLI::IsMember(backendNames()))

@@ -39,6 +39,11 @@ std::filesystem::path glslFolder()
     }
 }
 
+SearchPlaces searchPlaces(const std::vector<std::string>& included)
+{
+    return {{included.begin(), included.end()}, glslFolder()};
+}
+
 // https://specifications.freedesktop.org/basedir-spec: a relative folder is not to be used.
 PictureCache pictureCache()
 {

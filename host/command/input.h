@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/picture_cache.h"
+#include "base/search_places.h"
 
 #include <filesystem>
 #include <string>
@@ -13,6 +14,9 @@ namespace dioptre
 // The folder glsl/: $DIOPTRE_GLSL where set, else the one beside the program or above it. Throws
 // inputMissing.
 std::filesystem::path glslFolder();
+
+// The program's own files, and the folders of --include.
+SearchPlaces searchPlaces(const std::vector<std::string>& included = {});
 
 // Where prepared pictures are kept: $DIOPTRE_CACHE, "off" for nowhere; without it dioptre/ in $XDG_CACHE_HOME
 // or in ~/.cache.

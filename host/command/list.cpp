@@ -33,7 +33,7 @@ Rows scenes()
     Rows rows;
     for (const std::string& name : galleryNames()) {
         try {
-            const Scene scene = loadScene(findInput(name).path);
+            const Scene scene = loadScene(findInput(name).path, {}, 0.0, searchPlaces());
             rows.push_back({{"name", name}, {"title", scene.title}, {"objects", scene.objects.size()}});
         } catch (const Error& error) {
             rows.push_back({{"name", name}, {"title", ""}, {"objects", 0}, {"fault", error.what()}});

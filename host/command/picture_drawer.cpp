@@ -53,7 +53,7 @@ PictureDrawer::PictureDrawer(const RenderOptions& options, const Input& input, d
     Stopwatch watch;
     std::future<PreparedScene> preparing; // beside the making of the context
     if (!input.plainShader) {
-        scene_ = parseSceneOverTime(text_, input.path, options.overrides);
+        scene_ = parseSceneOverTime(text_, input.path, options.overrides, searchPlaces(options.included));
         preparing = std::async(std::launch::async, [scene = scene_(first_s), settings = settings_] {
             return prepare(scene, settings);
         });

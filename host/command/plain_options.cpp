@@ -55,6 +55,7 @@ PlainSettings plainSettings(const RenderOptions& options)
     if (!options.mouse.empty())
         settings.frame.pointer = pointerIn(options.mouse);
     settings.values = plainValues(options.overrides);
+    settings.included.assign(options.included.begin(), options.included.end());
     return settings;
 }
 

@@ -227,6 +227,8 @@ Settings settingsOf(const RenderOptions& options, const ContextInfo& context)
                          {"dioptre.renderer", context.renderer}};
     if (!options.overrides.empty())
         settings["dioptre.set"] = join(options.overrides, " ");
+    if (!options.included.empty())
+        settings["dioptre.include"] = join(options.included, " ");
     if (!options.layers.empty())
         settings["dioptre.layers"] = join(options.layers, ",");
     if (!options.tile.empty())

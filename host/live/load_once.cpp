@@ -34,7 +34,7 @@ ViewSettings viewOf(const LoadRequest& request, const DeviceTraits& device)
     view.height = request.look.size_px.y;
     view.samples = request.look.samples;
     view.view = request.look.view;
-    view.glslFolder = glslFolder();
+    view.glslFolder = request.look.places.glslFolder;
     view.pictures = pictureCache();
     view.drawLimit_s = device.drawLimit_s;
     return view;
@@ -87,7 +87,7 @@ void loadScene(Loaded& loaded, const DeviceTraits& device, const std::string& te
     const LoadRequest& request = loaded.request;
     const Look& look = request.look;
     LoadedScene result;
-    result.atTime = parseSceneOverTime(text, look.input.path, look.overrides);
+    result.atTime = parseSceneOverTime(text, look.input.path, look.overrides, look.places);
     auto scene = std::make_shared<Scene>(
         sceneUnder(look, result.atTime, request.time_s, request.shown.get()));
     result.scene = scene;
@@ -113,6 +113,7 @@ void loadShader(Loaded& loaded, const DeviceTraits& device)
         settings.channels[i] = channelSource(request.look.channels[i], i);
     settings.frame = request.frame;
     settings.values = request.look.values;
+    settings.included = request.look.places.included;
     for (const auto& channel : settings.channels)
         for (const auto& file : channel.files)
             loaded.pictures += fingerprintOf(file);
@@ -126,10 +127,9 @@ void loadShader(Loaded& loaded, const DeviceTraits& device)
 
 std::vector<std::filesystem::path> filesOf(const Look& look, const std::string& text)
 {
-    const SearchPlaces places{glslFolder()};
     if (!look.input.plainShader)
-        return filesOfScene(look.input.path, text, places);
-    auto files = filesOfShader(look.input.path, places);
+        return filesOfScene(look.input.path, text, look.places);
+    auto files = filesOfShader(look.input.path, look.places);
     for (std::size_t i = 0; i < look.channels.size(); ++i)
         for (const auto& file : channelSource(look.channels[i], i).files)
             files.emplace_back(file);
@@ -154,6 +154,14 @@ Scene sceneUnder(const Look& look, const SceneOverTime& atTime, double time_s, c
     return scene;
 }
 
+std::string stampOf(const std::vector<std::filesystem::path>& files)
+{
+    std::string all;
+    for (const auto& file : files)
+        all += fingerprintOf(file.string());
+    return all;
+}
+
 LoadOutcome loadOnce(const LoadRequest& request, const DeviceTraits& device, KeptPictures& kept)
 {
     LoadOutcome outcome;
@@ -167,6 +175,7 @@ LoadOutcome loadOnce(const LoadRequest& request, const DeviceTraits& device, Kep
         const bool plain = request.look.input.plainShader;
         const std::string text = plain ? "" : readFile(request.look.input.path);
         outcome.files = filesOf(request.look, text);
+        outcome.stamp = stampOf(outcome.files);
         if (plain)
             loadShader(loaded, device);
         else

@@ -14,6 +14,9 @@ struct KeptPictures {
     std::optional<double> skyBrightness;
 };
 
+// What changes when one of the files does.
+std::string stampOf(const std::vector<std::filesystem::path>& files);
+
 // Never throws: what goes wrong is in the outcome.
 LoadOutcome loadOnce(const LoadRequest& request, const DeviceTraits& device, KeptPictures& kept);
 

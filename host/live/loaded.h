@@ -24,6 +24,7 @@ struct Look {
     std::vector<std::string> overrides;  // path=value, of a scene
     PlainValues values;                  // NAME=value of --set, of a plain shader
     std::array<std::string, 4> channels; // of a plain shader
+    SearchPlaces places;                 // of pictures and includes
     std::optional<Camera> camera;        // in place of the scene's; its medium is the scene's
     DataView view = DataView::none;
     int samples = 64;                 // a pixel, that a still picture comes to
@@ -66,6 +67,7 @@ struct LoadOutcome {
     std::optional<Loaded> loaded;
     std::optional<Error> error;
     std::vector<std::filesystem::path> files;
+    std::string stamp; // of the files, from before they were read
 };
 
 // A scene at a time under a look: its camera, and its features latched on `before`.

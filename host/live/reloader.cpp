@@ -1,5 +1,6 @@
 #include "live/reloader.h"
 
+#include "live/load_once.h"
 #include "render/build.h"
 
 #include <fmt/format.h>
@@ -59,7 +60,8 @@ long Reloader::ask(const Look& look, double time_s, const PlainFrame& frame, con
 
 bool Reloader::filesChanged()
 {
-    return !watcher_.changed().empty();
+    const bool meanwhile = std::exchange(changedMeanwhile_, false);
+    return !watcher_.changed().empty() || meanwhile;
 }
 
 void Reloader::watch(const std::vector<std::filesystem::path>& files, const Loaded* shown)
@@ -94,6 +96,9 @@ std::optional<ReloadOutcome> Reloader::heard(LoadOutcome heard, const Loaded* sh
 {
     const LoadRequest& request = heard.request;
     watch(heard.files, shown);
+    // A save between the reading of a file and its first watch.
+    if (!heard.stamp.empty() && stampOf(heard.files) != heard.stamp)
+        changedMeanwhile_ = true;
     ReloadOutcome outcome = outcomeOf(request);
     if (heard.error) {
         if (request.number != number_)
@@ -132,7 +137,7 @@ std::optional<ReloadOutcome> Reloader::tried(const TrialReply& reply)
     if (outcome.error && pending_->plain && pending_->plain->text.checksLoops && reply.fault.empty() &&
         !reply.outcomes.back().messages.empty()) {
         // The check of loops may fail where the shader would not.
-        leaveOutLoopCheck(*pending_->plain, pending_->view.glslFolder);
+        leaveOutLoopCheck(*pending_->plain);
         pending_->trials = {trialOf(*pending_->plain, pending_->plainSettings)};
         trier_.start(reply.number, pending_->trials, device_.drawLimit_s);
         return std::nullopt;

@@ -60,6 +60,7 @@ private:
     Trier trier_;
     long number_ = 0;
     std::optional<Loaded> pending_; // its programs are being tried
+    bool changedMeanwhile_ = false; // while a file was not watched yet
     std::chrono::steady_clock::time_point askedAt_;
 };
 

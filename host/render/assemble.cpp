@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace dioptre
 {
@@ -52,17 +53,27 @@ const char* treeFile(RayTree tree)
 {
     switch (tree) {
     case RayTree::single:
-        return "single";
+        return "trace/single.glsl";
     case RayTree::chain:
-        return "chain";
+        return "trace/chain.glsl";
     case RayTree::heaviestFirst:
-        return "heaviest_first";
+        return "trace/heaviest_first.glsl";
     case RayTree::breadthFirst:
-        return "breadth_first";
+        return "trace/breadth_first.glsl";
     case RayTree::depthFirst:
-        return "depth_first";
+        return "trace/depth_first.glsl";
     }
     return "";
+}
+
+constexpr const char* firstHitFile = "trace/first_hit.glsl";
+constexpr const char* sceneTableFile = "trace/scene_table.glsl";
+constexpr const char* sceneLoopFile = "trace/scene_loop.glsl";
+constexpr std::array vertexFiles = {"shared/constants.glsl", "shared/structs.glsl", "trace/uniforms.glsl"};
+
+std::string includeText(const char* file)
+{
+    return fmt::format("#include \"{}\"\n", file);
 }
 
 // objectColour(): what the legend says, or a grey that is the object's number plus 1.
@@ -87,17 +98,17 @@ std::string firstHitText(const Plan& plan, const PackedScene& packed)
 {
     const bool colours =
         (plan.view == DataView::object || plan.view == DataView::number) && !packed.objects.empty();
-    return (colours ? objectColoursText(plan.view, packed.objects.size()) : "") +
-           "#include \"trace/first_hit.glsl\"\n\n// What the view shows of this scene.\n"
+    return (colours ? objectColoursText(plan.view, packed.objects.size()) : "") + includeText(firstHitFile) +
+           "\n// What the view shows of this scene.\n"
            "vec4 traceTree(Path eye)\n{\n    return firstHit(eye);\n}\n\n";
 }
 
 std::string treeText(RayTree tree)
 {
-    return fmt::format(
-        "#include \"trace/{}.glsl\"\n\n// The ray tree of this scene.\nvec4 traceTree(Path eye)\n{{\n"
-        "    return trace{}(eye);\n}}\n\n",
-        treeFile(tree), treeFunction(tree));
+    return includeText(treeFile(tree)) +
+           fmt::format("\n// The ray tree of this scene.\nvec4 traceTree(Path eye)\n{{\n"
+                       "    return trace{}(eye);\n}}\n\n",
+                       treeFunction(tree));
 }
 
 // lightsReflected() as one call a light, or nothing where loops in trace/light.glsl do it.
@@ -131,10 +142,10 @@ std::string sceneText(const Scene& scene, const Plan& plan, const PackedScene& p
     std::string text;
     if (plan.has("picture"))
         text += picturesText(plan, packed);
-    text += plan.has("geometry table") ? "#include \"trace/scene_table.glsl\"\n"
-                                       : lookupText(typicalOf(scene), packed, plan);
+    text +=
+        plan.has("geometry table") ? includeText(sceneTableFile) : lookupText(typicalOf(scene), packed, plan);
     if (plan.form == SceneForm::loop && plan.has("objects"))
-        return text + "#include \"trace/scene_loop.glsl\"\n";
+        return text + includeText(sceneLoopFile);
     return text + literalScene(scene, packed, plan);
 }
 
@@ -162,7 +173,7 @@ SourceText assemble(const Scene& scene, const Plan& plan, const PackedScene& pac
 {
     const auto main = glslFolder / "ray_trace.frag";
     PreprocessInput input;
-    input.folders = {glslFolder};
+    input.search.folders = {glslFolder};
     input.features = plan.defines;
     const auto generate = [&](const char* name, const std::string& text) {
         input.generated[name] = linesOf(text, "generated");
@@ -180,13 +191,26 @@ SourceText assembleVertex(const Plan& plan, const PackedScene& packed,
 {
     const auto& values = plan.shared;
     PreprocessInput input;
-    input.folders = {glslFolder};
-    const std::string text =
-        values.empty() ? fullScreenMain()
-                       : "#include \"shared/constants.glsl\"\n#include \"shared/structs.glsl\"\n"
-                         "#include \"trace/uniforms.glsl\"\n" +
-                             shareDeclaration(values) + "\n" + fullScreenMain(shareStatements(values));
+    input.search.folders = {glslFolder};
+    std::string text;
+    if (values.empty()) {
+        text = fullScreenMain();
+    } else {
+        for (const char* file : vertexFiles)
+            text += includeText(file);
+        text += shareDeclaration(values) + "\n" + fullScreenMain(shareStatements(values));
+    }
     return assembled(plan, packed, linesOf(text, "generated"), input);
+}
+
+std::vector<std::string> includesOfGenerated()
+{
+    std::vector<std::string> files{firstHitFile, sceneTableFile, sceneLoopFile};
+    files.insert(files.end(), vertexFiles.begin(), vertexFiles.end());
+    for (const RayTree tree : {RayTree::single, RayTree::chain, RayTree::heaviestFirst, RayTree::breadthFirst,
+                               RayTree::depthFirst})
+        files.emplace_back(treeFile(tree));
+    return files;
 }
 
 } // namespace dioptre

@@ -6,6 +6,9 @@
 #include "render/source_text.h"
 
 #include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace dioptre
 {
@@ -19,5 +22,11 @@ SourceText assemble(const Scene& scene, const Plan& plan, const PackedScene& pac
 // The vertex shader that goes with it: the full-screen triangle, and what all its pixels share.
 SourceText assembleVertex(const Plan& plan, const PackedScene& packed,
                           const std::filesystem::path& glslFolder);
+
+// Includes whose names begin so are written by assemble() itself.
+inline constexpr std::string_view generatedFolder = "generated/";
+
+// Every file of glsl/ that what assemble() writes may include, whatever the scene.
+std::vector<std::string> includesOfGenerated();
 
 } // namespace dioptre

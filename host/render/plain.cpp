@@ -41,16 +41,17 @@ LoadedPlain loadPlain(const std::filesystem::path& shader, const ViewSettings& v
     LoadedPlain loaded;
     loaded.shader = shader;
     loaded.form = formOf(plain, view, software);
-    loaded.text = assemblePlain(shader, view.glslFolder, loaded.form);
+    loaded.places = {plain.included, view.glslFolder};
+    loaded.text = assemblePlain(shader, loaded.places, loaded.form);
     std::ranges::transform(plain.channels, loaded.channels.begin(), loadChannel);
     loaded.load_ms = watch.lap_ms();
     return loaded;
 }
 
-void leaveOutLoopCheck(LoadedPlain& loaded, const std::filesystem::path& glslFolder)
+void leaveOutLoopCheck(LoadedPlain& loaded)
 {
     loaded.form.loopsMayBeEnded = false;
-    loaded.text = assemblePlain(loaded.shader, glslFolder, loaded.form);
+    loaded.text = assemblePlain(loaded.shader, loaded.places, loaded.form);
 }
 
 HostNumbers frameNumbers(const PlainFrame& frame, const glm::ivec2& size_px, const glm::ivec2& origin_px,
@@ -76,7 +77,7 @@ PlainRenderer::PlainRenderer(LoadedPlain loaded, const ViewSettings& view, Plain
     update(loaded_.channels);
     loaded_.channels = {};
     times_.load = loaded_.load_ms + watch.lap_ms();
-    build(view.glslFolder);
+    build();
     times_.compile = watch.lap_ms();
     update(plain_.values);
     bind();
@@ -85,14 +86,14 @@ PlainRenderer::PlainRenderer(LoadedPlain loaded, const ViewSettings& view, Plain
     times_.firstDraw = watch.lap_ms();
 }
 
-void PlainRenderer::build(const std::filesystem::path& glslFolder)
+void PlainRenderer::build()
 {
     try {
         program_ = buildProgram(loaded_.text.text);
     } catch (const Error&) {
         if (!loaded_.text.checksLoops)
             throw;
-        leaveOutLoopCheck(loaded_, glslFolder);
+        leaveOutLoopCheck(loaded_);
         program_ = buildProgram(loaded_.text.text);
     }
     if (loaded_.text.checksLoops && !loaded_.text.discards && !program_.uniforms.contains(loopCheckUniform))

@@ -13,12 +13,14 @@ namespace dioptre
 struct PlainSettings {
     std::array<ChannelSource, 4> channels;
     PlainFrame frame;
-    PlainValues values; // of --set
+    PlainValues values;                          // of --set
+    std::vector<std::filesystem::path> included; // folders of --include
 };
 
 // A plain shader before there is a device.
 struct LoadedPlain {
     std::filesystem::path shader;
+    SearchPlaces places; // of its includes
     PlainForm form;
     PlainText text;
     std::array<ChannelPictures, 4> channels;
@@ -31,7 +33,7 @@ LoadedPlain loadPlain(const std::filesystem::path& shader, const ViewSettings& v
 
 // The same without the check that tells where a driver ended loops, whose text may fail where the shader's
 // own would not: it is not looked at as closely as a compiler does.
-void leaveOutLoopCheck(LoadedPlain& loaded, const std::filesystem::path& glslFolder);
+void leaveOutLoopCheck(LoadedPlain& loaded);
 
 // What a frame feeds a shader in a picture of so many pixels, by uniform.
 HostNumbers frameNumbers(const PlainFrame& frame, const glm::ivec2& size_px, const glm::ivec2& origin_px,
@@ -84,7 +86,7 @@ protected:
     std::span<const SampleBatch> batches() const override;
 
 private:
-    void build(const std::filesystem::path& glslFolder);
+    void build();
     HostNumbers numbers() const; // of the frame
     void bind() const;           // program, channels and what the frame feeds
 

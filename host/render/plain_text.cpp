@@ -223,11 +223,19 @@ void append(SourceText& text, const SourceText& more)
 
 } // namespace
 
-PlainText assemblePlain(const std::filesystem::path& shader, const std::filesystem::path& glslFolder,
+Search includeSearch(const std::filesystem::path& shader, const SearchPlaces& places)
+{
+    std::vector<std::filesystem::path> data;
+    if (!places.glslFolder.empty())
+        data.push_back(places.glslFolder);
+    return searchFrom(shader, places, data, "shader");
+}
+
+PlainText assemblePlain(const std::filesystem::path& shader, const SearchPlaces& places,
                         const PlainForm& form)
 {
     PreprocessInput input;
-    input.folders = {shader.has_parent_path() ? shader.parent_path() : ".", glslFolder};
+    input.search = includeSearch(shader, places);
     const SourceText body = preprocess(withoutVersion(readSource(shader)), input);
     const ShaderTokens tokens = tokensOf(body);
     refuseEndlessLoops(tokens);

@@ -2,6 +2,7 @@
 // with what that site puts around it. The author's lines stay unchanged.
 #pragma once
 
+#include "base/search_places.h"
 #include "render/source_text.h"
 
 #include <array>
@@ -37,10 +38,12 @@ struct PlainText {
     bool checksLoops = false; // a pixel whose loops were ended holds `loopsWereEnded` in one of its channels
 };
 
-// Includes are looked for beside the including file's shader and in `glslFolder`. Throws badInput (includes
-// in a circle, a #version that is neither 330 core nor 300 es, neither main() nor mainImage(), a gl_FragCoord
-// declared anew in tiles) and inputMissing.
-PlainText assemblePlain(const std::filesystem::path& shader, const std::filesystem::path& glslFolder,
+// Where the names of a plain shader's includes lead: beside it, to the folders of --include, to glsl/.
+Search includeSearch(const std::filesystem::path& shader, const SearchPlaces& places);
+
+// Throws badInput (includes in a circle or out of those folders, a #version that is neither 330 core nor 300
+// es, neither main() nor mainImage(), a gl_FragCoord declared anew in tiles) and inputMissing.
+PlainText assemblePlain(const std::filesystem::path& shader, const SearchPlaces& places,
                         const PlainForm& form);
 
 } // namespace dioptre

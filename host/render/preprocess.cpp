@@ -2,39 +2,14 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "render/directive.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace dioptre
 {
 namespace
 {
-
-// "include" and "\"a.glsl\"" of `  #include "a.glsl"`; nothing where the line is no directive.
-struct Directive {
-    std::string_view name;
-    std::string_view argument;
-};
-
-std::string_view trimmed(std::string_view text)
-{
-    const auto begin = text.find_first_not_of(" \t");
-    if (begin == std::string_view::npos)
-        return {};
-    return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
-
-std::optional<Directive> directiveOf(std::string_view line)
-{
-    line = trimmed(line);
-    if (!line.starts_with('#'))
-        return std::nullopt;
-    line = trimmed(line.substr(1));
-    line = trimmed(line.substr(0, line.find("//")));
-    const auto end = std::min(line.find_first_of(" \t\"<"), line.size());
-    return Directive{line.substr(0, end), trimmed(line.substr(end))};
-}
 
 class Preprocessor
 {
@@ -66,7 +41,8 @@ private:
     void takeLine(const SourceLine& line)
     {
         const auto directive = directiveOf(line.text);
-        const SourcePosition where{line.file, line.line, 0};
+        const int column = directive ? static_cast<int>(line.text.find('#')) + 1 : 0;
+        const SourcePosition where{line.file, line.line, column};
         if (directive &&
             (directive->name == "ifdef" || directive->name == "ifndef" || directive->name == "if")) {
             open(*directive, where, line);
@@ -75,7 +51,7 @@ private:
         } else if (!emitting()) {
             return;
         } else if (directive && directive->name == "include") {
-            include(directive->argument, where);
+            include(*directive, where);
         } else {
             if (directive && directive->name == "define" && directive->argument.starts_with("HAS_"))
                 features_.insert(
@@ -112,12 +88,13 @@ private:
         return std::all_of(conditions_.begin(), conditions_.end(), [](const auto& c) { return c.taken; });
     }
 
-    void include(std::string_view argument, const SourcePosition& where)
+    void include(const Directive& directive, const SourcePosition& where)
     {
-        if (argument.size() < 2 || argument.front() != '"' || argument.back() != '"')
+        const auto named = includedName(directive);
+        if (!named)
             fail(ExitCode::badInput, where, "#include wants a name in quotes",
                  "write #include \"kernel/sphere.glsl\"");
-        const std::string name(argument.substr(1, argument.size() - 2));
+        const std::string& name = *named;
         if (std::find(open_.begin(), open_.end(), name) != open_.end())
             fail(ExitCode::badInput, where, "\"" + name + "\" includes itself", "break the circle");
         if (!included_.insert(name).second)
@@ -129,14 +106,14 @@ private:
 
     SourceText contentOf(const std::string& name, const SourcePosition& where) const
     {
-        if (const auto found = input_.generated.find(name); found != input_.generated.end())
-            return found->second;
+        if (const auto written = input_.generated.find(name); written != input_.generated.end())
+            return written->second;
+        const auto found = lookFor(name, input_.search, where);
+        if (!found.empty())
+            return readSource(found);
         std::vector<std::string> folders;
-        for (const auto& folder : input_.folders) {
-            if (std::filesystem::is_regular_file(folder / name))
-                return readSource(folder / name);
+        for (const auto& folder : input_.search.folders)
             folders.push_back(folder.string());
-        }
         fail(ExitCode::inputMissing, where, "\"" + name + "\" is not in " + join(folders, " or "),
              "correct the name; it is relative to that folder");
     }

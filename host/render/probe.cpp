@@ -18,7 +18,7 @@ SourceText probeText(const std::filesystem::path& glslFolder, const std::string&
                      const std::set<std::string>& features)
 {
     PreprocessInput input;
-    input.folders = {glslFolder};
+    input.search.folders = {glslFolder};
     input.features = features;
     const std::string include = "#include \"probe/" + name + ".frag\"";
     return preprocess(linesOf("#version 330 core\n" + include, "generated"), input);

@@ -22,7 +22,7 @@ Scene sceneWith(const AnimatedDocument& animation, double time_s,
     for (const Track& track : animation.tracks)
         setAt(document, track.steps, valueOf(track), track.where);
     try {
-        return readScene(document, animation.path);
+        return readScene(document, animation.path, animation.places);
     } catch (const Error& error) {
         failAgain(error, fmt::format("{} (at {} s)", error.what(), time_s));
     }

@@ -1,6 +1,7 @@
 // A scene's document with the tracks that change it: the scene at any time, and what holds at all times.
 #pragma once
 
+#include "base/search_places.h"
 #include "scene/scene.h"
 #include "scene/track.h"
 
@@ -14,6 +15,7 @@ struct AnimatedDocument {
     Value document; // as the file and the overrides have it
     std::vector<Track> tracks;
     std::filesystem::path path; // of the file
+    SearchPlaces places;        // of its pictures
 };
 
 // Every key must give a good scene at its time, together with what the others are at by then. Throws badInput

@@ -56,7 +56,10 @@ Array arrayFrom(const toml::array& source, const std::string& path)
 
 Value valueFrom(const toml::node& node, const std::string& path)
 {
-    Value value{Moment{}, positionOf(node.source(), path)};
+    const toml::source_position end = node.source().end;
+    Value value{Moment{},
+                positionOf(node.source(), path),
+                {static_cast<int>(end.line), static_cast<int>(end.column)}};
     if (const auto* text = node.as_string())
         value.data = text->get();
     else if (const auto* integer = node.as_integer())

@@ -27,9 +27,16 @@ struct Table {
 struct Moment {
 };
 
+// Counted from 1, columns in code points.
+struct TextPlace {
+    int line = 0;
+    int column = 0;
+};
+
 struct Value {
     std::variant<std::string, std::int64_t, double, bool, Moment, Array, Table> data;
-    SourcePosition where;
+    SourcePosition where; // of a table under a header the header's
+    TextPlace end{};      // behind its last character; 0 in a value that no file holds
 };
 
 struct Entry {

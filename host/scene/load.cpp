@@ -36,17 +36,17 @@ std::vector<const Value*> tablesUnder(const Table& document, std::string_view ke
     return tables;
 }
 
-Scene readScene(const Value& document, const std::filesystem::path& path)
+Scene readScene(const Value& document, const std::filesystem::path& path, const SearchPlaces& places)
 {
     const TableReader reader(document, "a scene", sceneKeys());
     const Table& sections = reader.table();
-    const std::filesystem::path folder = path.parent_path();
+    const Search pictures = pictureSearch(path, places);
     Scene scene;
     scene.path = path.string();
     reader.text("title", scene.title);
-    scene.materials = readMaterials(sections, folder);
+    scene.materials = readMaterials(sections, pictures);
     scene.camera = readCamera(sections, scene.materials);
-    scene.sky = readSky(sections, folder);
+    scene.sky = readSky(sections, pictures);
     scene.trace = readTrace(sections);
     scene.plan = readPlan(sections);
     scene.output = readOutput(sections);
@@ -71,24 +71,24 @@ void refuseOverridden(const std::vector<Overridden>& overrides, const std::vecto
 } // namespace
 
 SceneOverTime parseSceneOverTime(const std::string& text, const std::filesystem::path& path,
-                                 const std::vector<std::string>& overrides)
+                                 const std::vector<std::string>& overrides, const SearchPlaces& places)
 {
     Value document = parseDocument(text, path.string());
     const std::vector<Overridden> overridden = applyOverrides(document, overrides);
-    Scene still = readScene(document, path);
+    Scene still = readScene(document, path, places);
     std::vector<Track> tracks = takeTracks(document);
     if (tracks.empty())
         return [still = std::move(still)](double) { return still; };
     refuseOverridden(overridden, tracks);
-    AnimatedDocument animation{std::move(document), std::move(tracks), path};
+    AnimatedDocument animation{std::move(document), std::move(tracks), path, places};
     checkKeys(animation);
     return [animation = std::move(animation)](double time_s) { return sceneAt(animation, time_s); };
 }
 
 Scene parseScene(const std::string& text, const std::filesystem::path& path,
-                 const std::vector<std::string>& overrides, double time_s)
+                 const std::vector<std::string>& overrides, double time_s, const SearchPlaces& places)
 {
-    return parseSceneOverTime(text, path, overrides)(time_s);
+    return parseSceneOverTime(text, path, overrides, places)(time_s);
 }
 
 std::string readSceneText(const std::filesystem::path& path)
@@ -99,9 +99,10 @@ std::string readSceneText(const std::filesystem::path& path)
     return text;
 }
 
-Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides, double time_s)
+Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides, double time_s,
+                const SearchPlaces& places)
 {
-    return parseScene(readSceneText(path), path, overrides, time_s);
+    return parseScene(readSceneText(path), path, overrides, time_s, places);
 }
 
 } // namespace dioptre

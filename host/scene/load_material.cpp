@@ -17,7 +17,7 @@ const std::vector<std::string> materialKeys{
     "ambient", "specular",   "shininess", "mirror",  "mirror_colour", "transmit", "ior",
     "outside", "absorption", "emission",  "light",   "shadow"};
 
-void readSurface(const TableReader& reader, Material& material, const std::filesystem::path& folder)
+void readSurface(const TableReader& reader, Material& material, const Search& pictures)
 {
     enum class Pattern { none, checker };
     Pattern pattern = Pattern::none;
@@ -26,7 +26,7 @@ void readSurface(const TableReader& reader, Material& material, const std::files
                         "add pattern = \"checker\"");
     reader.colour("colour", material.colour);
     if (const Value* image = reader.find("image"))
-        material.image = pictureFile(*image, "image", folder);
+        material.image = pictureFile(*image, "image", pictures);
     const bool pictured = !material.image.empty();
     reader.refuseUnless(pictured, "encoding", "without an image", "take it out");
     reader.choice<Encoding>("encoding", material.encoding,
@@ -104,7 +104,7 @@ std::size_t materialIndex(const Value& value, std::string_view key, const std::v
     refuseWord(value.where, fmt::format("no material is called \"{}\"", name), name, names);
 }
 
-std::vector<Material> readMaterials(const Table& document, const std::filesystem::path& folder)
+std::vector<Material> readMaterials(const Table& document, const Search& pictures)
 {
     const Value* section = find(document, "material");
     if (!section)
@@ -121,7 +121,7 @@ std::vector<Material> readMaterials(const Table& document, const std::filesystem
     for (std::size_t i = 0; i < materials.size(); ++i) {
         const Entry& entry = tables->entries[i];
         const TableReader reader(entry.value, fmt::format("[material.{}]", entry.key), materialKeys);
-        readSurface(reader, materials[i], folder);
+        readSurface(reader, materials[i], pictures);
         readShading(reader, materials[i]);
         readMedium(reader, materials[i], materials);
         readEmission(reader, materials[i]);

@@ -31,7 +31,7 @@ Sky::Kind kindOf(const TableReader& reader)
 
 } // namespace
 
-Sky readSky(const Table& document, const std::filesystem::path& folder)
+Sky readSky(const Table& document, const Search& pictures)
 {
     Sky sky;
     const Value* section = find(document, "sky");
@@ -45,7 +45,7 @@ Sky readSky(const Table& document, const std::filesystem::path& folder)
     if (const Value* gradient = reader.find("gradient"))
         sky.gradient = coloursFrom(*gradient, "gradient", 3);
     if (const Value* image = reader.find("image"))
-        sky.image = pictureFile(*image, "image", folder);
+        sky.image = pictureFile(*image, "image", pictures);
     for (std::string_view key : {"encoding", "rotation_deg", "mirror_u"})
         reader.refuseUnless(sky.kind == Sky::Kind::image, key, "on a sky without image", "take it out");
     reader.choice<Encoding>("encoding", sky.encoding,

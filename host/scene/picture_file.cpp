@@ -13,45 +13,56 @@ namespace
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> candidates(const Value& value, std::string_view key)
+// Of Debian's package xplanet-images, whose earth the gallery shows where it is installed.
+constexpr const char* planetPictures = "/usr/share/xplanet/images";
+
+// The strings, in order.
+std::vector<const Value*> namesIn(const Value& value, std::string_view key)
 {
     constexpr std::string_view wanted =
         "a file name, or a list of names of which the first that exists is taken";
-    std::vector<std::string> names;
-    if (std::holds_alternative<Array>(value.data))
-        for (const Value& element : std::get<Array>(value.data))
-            names.push_back(textFrom(element, key, wanted));
+    std::vector<const Value*> names;
+    if (const auto* list = std::get_if<Array>(&value.data))
+        for (const Value& element : *list)
+            names.push_back(&element);
     else
-        names.push_back(textFrom(value, key, wanted));
+        names.push_back(&value);
     if (names.empty())
         refuse(value, key, wanted);
-    for (const std::string& name : names)
-        if (name.empty())
+    for (const Value* name : names)
+        if (textFrom(*name, key, wanted).empty())
             fail(ExitCode::badInput, value.where, fmt::format("{} has an empty name", key), "name a file");
     return names;
 }
 
-// Where a name may lie. The gallery's scenes are in glsl/scenes/ and its pictures in textures/.
-std::vector<fs::path> placesOf(const std::string& name, const fs::path& folder)
+// Values of --set stand in no line of a file.
+bool isTheUsersOwn(const Value& name)
 {
-    std::vector<fs::path> places{(folder / name).lexically_normal()};
-    if (name.find('/') == std::string::npos)
-        places.push_back((folder / ".." / ".." / "textures" / name).lexically_normal());
-    return places;
+    return name.where.line == 0;
 }
 
 } // namespace
 
-std::string pictureFile(const Value& value, std::string_view key, const fs::path& folder)
+Search pictureSearch(const fs::path& scene, const SearchPlaces& places)
+{
+    std::vector<fs::path> data;
+    if (!places.glslFolder.empty())
+        data = {texturesFolder(places), planetPictures};
+    return searchFrom(scene, places, data, "scene");
+}
+
+std::string pictureFile(const Value& value, std::string_view key, const Search& search)
 {
     std::vector<std::string> tried;
-    for (const std::string& name : candidates(value, key))
-        for (const fs::path& place : placesOf(name, folder)) {
-            std::error_code ignored;
-            if (fs::is_regular_file(place, ignored))
-                return place.string();
-            tried.push_back(place.string());
-        }
+    for (const Value* name : namesIn(value, key)) {
+        const auto& text = std::get<std::string>(name->data);
+        const fs::path found =
+            isTheUsersOwn(*name) ? lookAnywhere(text, search) : lookFor(text, search, name->where);
+        if (!found.empty())
+            return found.string();
+        for (const fs::path& candidate : candidatesOf(text, search))
+            tried.push_back(candidate.string());
+    }
     fail(ExitCode::inputMissing, value.where, fmt::format("{}: no such file: {}", key, join(tried, ", ")),
          "put the picture there, or name one that exists");
 }

@@ -58,7 +58,7 @@ void expectPartsAreTheWhole(const Scene& scene, const ViewSettings& parts)
 
 Scene gallery(const std::string& name, const std::vector<std::string>& overrides)
 {
-    return loadScene(glslFolder() / "scenes" / (name + ".toml"), overrides);
+    return loadScene(glslFolder() / "scenes" / (name + ".toml"), overrides, 0.0, places());
 }
 
 TEST(Bands, OfAScene_AreThePictureDrawnAtOnce)

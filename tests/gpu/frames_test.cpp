@@ -61,7 +61,7 @@ void expectEachFrameIsAsFresh(const SceneOverTime& scene, const ViewSettings& se
 SceneOverTime galleryScene(const std::string& name, const std::vector<std::string>& overrides = {})
 {
     const auto path = std::filesystem::path(DIOPTRE_SOURCE_DIR) / "glsl" / "scenes" / (name + ".toml");
-    return parseSceneOverTime(readFile(path), path, overrides);
+    return parseSceneOverTime(readFile(path), path, overrides, places());
 }
 
 // What an orrery lacks: a pictured sky that turns and brightens, so that the cut-off changes.
@@ -109,7 +109,7 @@ TEST(Frames, AnUpdatedTableOfGeometry_IsThatOfAFreshRenderer)
 TEST(Frames, UnderAPicturedSky_TheCutOffGoesAlong)
 {
     const auto path = std::filesystem::path(DIOPTRE_SOURCE_DIR) / "glsl" / "scenes" / "text.toml";
-    expectEachFrameIsAsFresh(parseSceneOverTime(underAPicturedSky, path), smallView());
+    expectEachFrameIsAsFresh(parseSceneOverTime(underAPicturedSky, path, {}, places()), smallView());
 }
 
 TEST(Frames, OfAView_AreThoseOfFreshRenderers)

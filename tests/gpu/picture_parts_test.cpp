@@ -62,7 +62,7 @@ TEST_P(PartsOfTheGallery, EveryObjectThatAPixelShows_IsSeenInItsTile)
     request.view = DataView::object;
     const auto view = renderScene(GetParam(), request).picture;
     std::size_t met = 0;
-    EXPECT_EQ(missed(loadScene(GetParam(), {}), view, met), 0U);
+    EXPECT_EQ(missed(loadScene(GetParam(), {}, 0.0, places()), view, met), 0U);
     EXPECT_GT(met, 1000U);
 }
 

@@ -34,7 +34,7 @@ using Overrides = std::vector<std::string>;
 Stages assembled(const std::filesystem::path& scene, const Overrides& overrides)
 {
     const ViewSettings settings{64, 36, 1, glslFolder()};
-    const auto prepared = prepare(loadScene(scene, overrides), settings);
+    const auto prepared = prepare(loadScene(scene, overrides, 0.0, places()), settings);
     return {flatten(assemble(prepared.scene, prepared.plan, prepared.packed, settings.glslFolder)),
             flatten(assembleVertex(prepared.plan, prepared.packed, settings.glslFolder))};
 }
@@ -43,7 +43,7 @@ Stages assembled(const std::filesystem::path& scene, const Overrides& overrides)
 std::vector<Stages> assembledParts(const std::filesystem::path& scene)
 {
     const ViewSettings settings{320, 180, 1, glslFolder()};
-    const auto prepared = prepare(loadScene(scene, {"plan.tiles=on"}), settings);
+    const auto prepared = prepare(loadScene(scene, {"plan.tiles=on"}, 0.0, places()), settings);
     std::vector<Stages> stages;
     for (const auto& part : prepared.parts) {
         const Plan plan = makePlan(prepared.scene, DataView::none, mostSharedVectors, part.seen);
@@ -227,7 +227,8 @@ public:
     {
         const ViewSettings settings{16, 9, 1, folder_};
         try {
-            renderPrepared(prepare(loadScene(galleryScenes().front(), {}), settings), settings, "auto");
+            renderPrepared(prepare(loadScene(galleryScenes().front(), {}, 0.0, places()), settings), settings,
+                           "auto");
             return "";
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ExitCode::badInput);

@@ -190,7 +190,7 @@ TEST(Animation, Gallery_HasOneShaderAScene)
             continue;
         std::string text;
         for (const double time_s : {0.0, 1.3, 4.7}) {
-            const auto prepared = prepare(loadScene(entry.path(), {}, time_s), {64, 36, 1, glsl});
+            const auto prepared = prepare(loadScene(entry.path(), {}, time_s, {{}, glsl}), {64, 36, 1, glsl});
             const auto now = flatten(assemble(prepared.scene, prepared.plan, prepared.packed, glsl));
             EXPECT_TRUE(text.empty() || now == text) << entry.path() << " at " << time_s;
             text = now;

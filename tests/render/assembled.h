@@ -20,7 +20,7 @@ struct Assembled {
 inline Assembled assembled(const std::string& toml)
 {
     const std::filesystem::path glsl = std::filesystem::path(DIOPTRE_SOURCE_DIR) / "glsl";
-    const Scene scene = underLightType(parseScene(toml, glsl / "scenes" / "text.toml"));
+    const Scene scene = underLightType(parseScene(toml, glsl / "scenes" / "text.toml", {}, 0.0, {{}, glsl}));
     Assembled result{makePlan(scene), {}, {}};
     auto packed = pack(scene, result.plan, {36, 1});
     loadPictures(scene, result.plan, packed);

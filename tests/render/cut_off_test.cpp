@@ -20,7 +20,7 @@ double cutOffOf(const std::string& rest)
     const Scene scene = parseScene("[camera]\neye = [0, 0, 5]\n" + rest +
                                        "[material.chrome]\nmirror = 0.5\n"
                                        "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\nmaterial = \"chrome\"\n",
-                                   place);
+                                   place, {}, 0.0, {{"/tmp"}, {}}); // its pictures
     const Plan plan = makePlan(scene);
     auto packed = pack(scene, plan, {36, 1});
     loadPictures(scene, plan, packed);

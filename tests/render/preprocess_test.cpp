@@ -10,7 +10,7 @@ namespace
 PreprocessInput inputWith(std::map<std::string, std::string> files, std::set<std::string> features = {})
 {
     PreprocessInput input;
-    input.folders = {"/nowhere"};
+    input.search.folders = {"/nowhere"};
     for (const auto& [name, text] : files)
         input.generated[name] = linesOf(text, name);
     input.features = std::move(features);

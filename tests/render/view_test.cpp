@@ -24,7 +24,8 @@ PreparedScene preparedFor(DataView view, const std::string& more = "")
         "[material.m]\nimage = \"planet.png\"\nmirror = 0.5\n"
         "[[sphere]]\nname = \"ball\"\ncentre = [0, 0, 0]\nradius = 1\nmaterial = \"m\"\n" +
         more;
-    return prepare(parseScene(scene, glsl / "scenes" / "text.toml"), {32, 18, 1, glsl, {}, view});
+    return prepare(parseScene(scene, glsl / "scenes" / "text.toml", {}, 0.0, {{}, glsl}),
+                   {32, 18, 1, glsl, {}, view});
 }
 
 std::string textOf(const PreparedScene& prepared)

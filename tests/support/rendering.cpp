@@ -44,6 +44,11 @@ std::filesystem::path glslFolder()
                              : std::filesystem::path(DIOPTRE_SOURCE_DIR) / "glsl";
 }
 
+SearchPlaces places()
+{
+    return {{}, glslFolder()};
+}
+
 std::vector<std::filesystem::path> galleryScenes()
 {
     std::vector<std::filesystem::path> scenes;
@@ -57,7 +62,7 @@ std::vector<std::filesystem::path> galleryScenes()
 
 std::vector<std::string> ownPictures(const std::filesystem::path& scene)
 {
-    if (readFile(scene).find("xplanet") == std::string::npos)
+    if (readFile(scene).find("earth.jpg") == std::string::npos)
         return {};
     return {"material.planet.image=planet.png"};
 }
@@ -85,22 +90,24 @@ Rendered renderPrepared(const PreparedScene& prepared, const ViewSettings& setti
 
 Rendered renderScene(const std::filesystem::path& scene, const Request& request)
 {
-    return renderLoaded(loadScene(scene, request.overrides, request.time_s), request);
+    return renderLoaded(loadScene(scene, request.overrides, request.time_s, places()), request);
 }
 
 Rendered renderSceneText(const std::string& toml, const Request& request)
 {
-    return renderLoaded(parseScene(toml, besideTheGallery, request.overrides, request.time_s), request);
+    return renderLoaded(parseScene(toml, besideTheGallery, request.overrides, request.time_s, places()),
+                        request);
 }
 
 Picture renderDouble(const std::filesystem::path& scene, const Request& request)
 {
-    return renderLoadedDouble(loadScene(scene, request.overrides, request.time_s), request);
+    return renderLoadedDouble(loadScene(scene, request.overrides, request.time_s, places()), request);
 }
 
 Picture renderDoubleText(const std::string& toml, const Request& request)
 {
-    return renderLoadedDouble(parseScene(toml, besideTheGallery, request.overrides, request.time_s), request);
+    return renderLoadedDouble(parseScene(toml, besideTheGallery, request.overrides, request.time_s, places()),
+                              request);
 }
 
 } // namespace dioptre::test

@@ -1,6 +1,7 @@
 // Pictures for tests, without the command line.
 #pragma once
 
+#include "base/search_places.h"
 #include "gl/context.h"
 #include "render/drawing.h"
 #include "render/prepare.h"
@@ -31,6 +32,9 @@ struct Rendered : DrawingFacts {
 
 // glsl/ of the sources, or $DIOPTRE_GLSL where set: mutants put their own there.
 std::filesystem::path glslFolder();
+
+// Where the gallery's scenes find their pictures.
+SearchPlaces places();
 
 // The gallery's scenes, sorted by name.
 std::vector<std::filesystem::path> galleryScenes();

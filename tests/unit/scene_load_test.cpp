@@ -42,6 +42,10 @@ public:
     {
         return root_ / "glsl/scenes/a.toml";
     }
+    SearchPlaces places() const
+    {
+        return {{}, root_ / "glsl"};
+    }
 
 private:
     fs::path root_;
@@ -85,7 +89,7 @@ TEST(Scene, StillLifeOfTheDesign_KeepsEveryValue)
     const fs::path wave = gallery.add("textures/wave.png");
     const fs::path sky = gallery.add("glsl/scenes/sky.hdr");
     const fs::path path = gallery.add("glsl/scenes/a.toml", stillLife);
-    const Scene scene = loadScene(path);
+    const Scene scene = loadScene(path, {}, 0.0, gallery.places());
 
     EXPECT_EQ(scene.path, path.string());
     EXPECT_EQ(scene.title, "Still life");
@@ -232,7 +236,7 @@ exposure = -1.5
 inside = "sea"
 [material.sea]
 )",
-                                   gallery.scene());
+                                   gallery.scene(), {}, 0.0, gallery.places());
     EXPECT_EQ(scene.trace.budget, 8);
     EXPECT_EQ(scene.trace.depth, 0);
     EXPECT_EQ(scene.trace.cutOff, 0.0);
@@ -251,7 +255,8 @@ TEST(Scene, PictureBesideTheScene_IsTakenBeforeTheGallerysTextures)
     const Gallery gallery;
     gallery.add("textures/a.png");
     const fs::path beside = gallery.add("glsl/scenes/a.png");
-    const Scene scene = parseScene("[material.a]\nimage = \"a.png\"\n", gallery.scene());
+    const Scene scene =
+        parseScene("[material.a]\nimage = \"a.png\"\n", gallery.scene(), {}, 0.0, gallery.places());
     EXPECT_EQ(scene.materials[0].image, beside.string());
 }
 
@@ -261,8 +266,8 @@ TEST(Scene, ListOfPictures_TakesTheFirstThatExists)
     const fs::path second = gallery.add("textures/planet.png");
     gallery.add("textures/third.png");
     const Scene scene =
-        parseScene("[material.a]\nimage = [\"/nonexistent/earth.jpg\", \"planet.png\", \"third.png\"]\n",
-                   gallery.scene());
+        parseScene("[material.a]\nimage = [\"no_earth.jpg\", \"planet.png\", \"third.png\"]\n",
+                   gallery.scene(), {}, 0.0, gallery.places());
     EXPECT_EQ(scene.materials[0].image, second.string());
 }
 
