@@ -14,7 +14,8 @@ namespace dioptre
 namespace
 {
 
-// Below the window, whose picture goes on; far enough above nothing that an idle machine notices no difference.
+// Below the window, whose picture goes on; far enough above nothing that an idle machine notices no
+// difference.
 constexpr int niceness = 10;
 
 // The window's own kind of context first: drivers keep what they compile by what draws it.

@@ -20,7 +20,8 @@ namespace
 // What changes when a file's contents do.
 std::string fingerprintOf(const std::string& path)
 {
-    struct stat file {};
+    struct stat file {
+    };
     if (::stat(path.c_str(), &file) != 0)
         return path + " none\n";
     return fmt::format("{} {} {} {} {}\n", path, file.st_ino, file.st_size, file.st_mtim.tv_sec,
@@ -88,12 +89,13 @@ void loadScene(Loaded& loaded, const DeviceTraits& device, const std::string& te
     const Look& look = request.look;
     LoadedScene result;
     result.atTime = parseSceneOverTime(text, look.input.path, look.overrides, look.places);
-    auto scene = std::make_shared<Scene>(
-        sceneUnder(look, result.atTime, request.time_s, request.shown.get()));
+    auto scene =
+        std::make_shared<Scene>(sceneUnder(look, result.atTime, request.time_s, request.shown.get()));
     result.scene = scene;
-    result.prepared = prepare(*scene, loaded.view, [&](const Scene& seen, const Plan& plan, PackedScene& packed) {
-        takePictures(seen, plan, packed, loaded.view.pictures, kept);
-    });
+    result.prepared =
+        prepare(*scene, loaded.view, [&](const Scene& seen, const Plan& plan, PackedScene& packed) {
+            takePictures(seen, plan, packed, loaded.view.pictures, kept);
+        });
     loaded.pictures = kept.fingerprint;
     result.parts = assembleParts(result.prepared, loaded.view.glslFolder, device.sharedVectors);
     for (const auto& part : result.parts)

@@ -27,8 +27,8 @@ struct Look {
     SearchPlaces places;                 // of pictures and includes
     std::optional<Camera> camera;        // in place of the scene's; its medium is the scene's
     DataView view = DataView::none;
-    int samples = 64;                 // a pixel, that a still picture comes to
-    glm::ivec2 size_px{1280, 720};    // of the picture
+    int samples = 64;              // a pixel, that a still picture comes to
+    glm::ivec2 size_px{1280, 720}; // of the picture
 };
 
 struct LoadRequest {
@@ -53,10 +53,10 @@ struct Loaded {
     ViewSettings view;
     std::optional<LoadedScene> scene;
     std::optional<LoadedPlain> plain;
-    PlainSettings plainSettings;      // of a plain shader
-    std::vector<ProgramTrial> trials; // of what would have to be compiled
-    std::string texts;                // of all shaders: equal ones need no compiler
-    std::string pictures;             // fingerprint of the picture files
+    PlainSettings plainSettings;              // of a plain shader
+    std::vector<ProgramTrial> trials;         // of what would have to be compiled
+    std::string texts;                        // of all shaders: equal ones need no compiler
+    std::string pictures;                     // fingerprint of the picture files
     std::vector<std::filesystem::path> files; // that fed it, or would
     double load_ms = 0.0;
 };

@@ -109,7 +109,8 @@ std::optional<ReloadOutcome> Reloader::heard(LoadOutcome heard, const Loaded* sh
         return outcome;
     }
     Loaded& loaded = *heard.loaded;
-    if (shown != nullptr && loaded.texts == shown->texts && loaded.scene.has_value() == shown->scene.has_value()) {
+    if (shown != nullptr && loaded.texts == shown->texts &&
+        loaded.scene.has_value() == shown->scene.has_value()) {
         if (request.number == number_) {
             trier_.cancel();
             pending_.reset();

@@ -153,7 +153,8 @@ bool Stage::draw(double budget_ms)
         if (row_ == 0 && samplesDone_ == 0)
             drawing().start();
         const double fitting = msPerRow_ > 0.0 ? (budget_ms - spent_ms) / msPerRow_ : leastRows;
-        const int rows = std::min(height - row_, std::max(leastRows, static_cast<int>(std::min(fitting, 1e6))));
+        const int rows =
+            std::min(height - row_, std::max(leastRows, static_cast<int>(std::min(fitting, 1e6))));
         drawing().add({samplesDone_, 1}, {0, row_, width, rows});
         const double took_ms = watch.lap_ms();
         msPerRow_ = took_ms / rows;

@@ -14,8 +14,8 @@ namespace dioptre
 class Trier
 {
 public:
-    // `wake` is called from another thread when there is something to take. The helper starts at once, so that
-    // the first edit finds it ready.
+    // `wake` is called from another thread when there is something to take. The helper starts at once, so
+    // that the first edit finds it ready.
     explicit Trier(std::function<void()> wake);
     Trier(const Trier&) = delete;
     Trier& operator=(const Trier&) = delete;
@@ -31,8 +31,8 @@ public:
     }
     double busyFor_s() const;
 
-    // The reply to what was started last. A helper that died or took too long is a fault of the program that it
-    // tried.
+    // The reply to what was started last. A helper that died or took too long is a fault of the program that
+    // it tried.
     std::optional<TrialReply> take();
 
 private:

@@ -98,15 +98,14 @@ void Window::listen()
             {.kind = InputEvent::Kind::move, .at_px = owner(window).pixelAt(x, y)});
     });
     glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double notches) {
-        owner(window).events_.push_back({.kind = InputEvent::Kind::scroll,
-                                         .at_px = owner(window).pointer_px(),
-                                         .scroll = notches});
+        owner(window).events_.push_back(
+            {.kind = InputEvent::Kind::scroll, .at_px = owner(window).pointer_px(), .scroll = notches});
     });
     glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
-        owner(window).events_.push_back(
-            {.kind = InputEvent::Kind::drop, .files = {paths, paths + count}});
+        owner(window).events_.push_back({.kind = InputEvent::Kind::drop, .files = {paths, paths + count}});
     });
-    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { owner(window).damaged_ = true; });
+    glfwSetFramebufferSizeCallback(window_,
+                                   [](GLFWwindow* window, int, int) { owner(window).damaged_ = true; });
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { owner(window).damaged_ = true; });
 }
 

@@ -45,8 +45,8 @@ struct PreparedScene {
 // Fills in the pictures of a packed scene, as loadPictures() does.
 using PictureSource = std::function<void(const Scene&, const Plan&, PackedScene&)>;
 
-// Throws badInput and inputMissing for faults in the scene's numbers and pictures. `pictures`: where they come
-// from, in place of their files.
+// Throws badInput and inputMissing for faults in the scene's numbers and pictures. `pictures`: where they
+// come from, in place of their files.
 PreparedScene prepare(const Scene& scene, const ViewSettings& view, const PictureSource& pictures = {});
 
 // The same scene at another time, in place: its plan, shader, parts and pictures stay as they are. `view` is

@@ -20,8 +20,8 @@ public:
     // On the current context. Throws badInput for faults in glsl/live/.
     explicit ShownPicture(const std::filesystem::path& glslFolder);
 
-    // From sums of so many samples: the bytes that a PNG would hold, but for rounding; without a display those
-    // of a picture that is not encoded.
+    // From sums of so many samples: the bytes that a PNG would hold, but for rounding; without a display
+    // those of a picture that is not encoded.
     void take(const AccumulationTarget& sums, int samples, const std::optional<Display>& display);
 
     // From numbers of 0 to 1, not encoded.
