@@ -46,12 +46,12 @@ std::vector<DrawnPart> drawnParts(const std::vector<PartProgram>& programs, cons
 } // namespace
 
 Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, const ContextInfo& context)
-    : Drawing(targetWidth(view), targetHeight(view), view.drawLimit_s), prepared_(&prepared), view_(view)
+    : Drawing(targetWidth(view), targetHeight(view), view.drawLimit_s), prepared_(&prepared), view_(view),
+      software_(context.software)
 {
     const PackedScene& packed = prepared.packed;
     Stopwatch watch;
-    // The same for all parts, so that the samples of every pixel add up in the same order.
-    batches_ = sampleBatches(view.samples, loopIterations(prepared.plan, packed), context.software);
+    dealSamples();
     for (const auto& part : prepared.parts) {
         const Plan plan = planFor(prepared, part);
         parts_.push_back({part, plan, assemble(prepared.scene, plan, packed, view.glslFolder), {}});
@@ -80,7 +80,14 @@ Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, cons
 void Renderer::update(const PreparedScene& prepared)
 {
     prepared_ = &prepared;
+    dealSamples();
     uploadNumbers(device_, prepared.packed);
+}
+
+// The same for all parts, so that the samples of every pixel add up in the same order.
+void Renderer::dealSamples()
+{
+    batches_ = sampleBatches(view_.samples, loopIterations(prepared_->plan, prepared_->packed), software_);
 }
 
 void Renderer::bindTo(const PartProgram& part) const

@@ -26,7 +26,8 @@ public:
     Renderer(const PreparedScene& prepared, const ViewSettings& view, const ContextInfo& context);
 
     // Goes on with the same scene at another time, as moveTo() left it: nothing is compiled, and no picture
-    // is uploaded. `prepared` must outlive the renderer.
+    // is uploaded. `prepared` must outlive the renderer. Throws badInput where a sample now takes more loop
+    // iterations than the driver runs.
     void update(const PreparedScene& prepared);
 
     // From the sums of the samples in rgb and the rays traced in alpha: means, and alpha 1; of a view its
@@ -47,9 +48,11 @@ protected:
 
 private:
     void bindTo(const PartProgram& part) const;
+    void dealSamples();
 
     const PreparedScene* prepared_;
     ViewSettings view_;
+    bool software_; // the driver
     std::vector<SampleBatch> batches_;
     std::vector<PartProgram> parts_;
     DeviceScene device_;
