@@ -45,8 +45,8 @@ struct PreparedScene {
 PreparedScene prepare(const Scene& scene, const ViewSettings& view);
 
 // The same scene at another time, or latched on itself after an edit that its shader outlasts, in place: its
-// plan, shader, parts and pictures stay as they are. `view` is
-// that of prepare(). Throws badInput for faults in the scene's numbers.
+// plan, shader, parts and pictures stay as they are. `view` is that of prepare(). Throws badInput for faults in
+// the scene's numbers.
 void moveTo(PreparedScene& prepared, const Scene& scene, const ViewSettings& view);
 
 } // namespace dioptre
