@@ -32,13 +32,16 @@ double originGrid(const Camera& camera)
     return std::exp2(std::round(std::log2(glm::distance(camera.eye, camera.target))) + 4.0);
 }
 
-// A plan that earlier edits widened has room for more rays; the picture is the scene's own.
+// The scene's own, though earlier edits may have widened the plan; never more than queues and stacks have
+// room for.
 int budgetOf(const Scene& scene, const Plan& plan)
 {
     if (plan.tree == RayTree::single)
         return 1;
     const Scene& own = ownTypicalOf(scene);
-    return std::min(plan.budget, own.trace.budget.value_or(defaultBudget(own, plan.materials)));
+    const int budget = own.trace.budget.value_or(defaultBudget(own, plan.materials));
+    const bool waits = plan.tree == RayTree::breadthFirst || plan.tree == RayTree::depthFirst;
+    return waits ? std::min(plan.budget, budget) : budget;
 }
 
 packed::Camera packCamera(const Scene& scene, const Plan& plan, const View& view, const glm::dvec3& origin)

@@ -42,14 +42,14 @@ Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, cons
 
 Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, const ContextInfo& context,
                    std::vector<AssembledPart> assembled)
-    : Drawing(targetWidth(view), targetHeight(view), view.drawLimit_s), prepared_(&prepared), view_(view)
+    : Drawing(targetWidth(view), targetHeight(view), view.drawLimit_s), prepared_(&prepared), view_(view),
+      software_(context.software)
 {
     const PackedScene& packed = prepared.packed;
     Stopwatch watch;
     if (assembled.empty())
         assembled = assembleParts(prepared, view.glslFolder, sharedVectorsOfContext());
-    // The same for all parts, so that the samples of every pixel add up in the same order.
-    batches_ = sampleBatches(view.samples, loopIterations(prepared.plan, packed), context.software);
+    dealSamples();
     for (auto& part : assembled)
         parts_.push_back({std::move(part), {}});
     device_ = upload(packed, plans());
@@ -82,6 +82,7 @@ void Renderer::update(const PreparedScene& prepared, const ViewSettings& view)
     resize(targetWidth(view), targetHeight(view));
     for (std::size_t i = 0; i < parts_.size(); ++i)
         parts_[i].part.rectangles = prepared.parts[i].rectangles;
+    dealSamples();
     uploadNumbers(device_, prepared.packed);
 }
 
@@ -98,6 +99,12 @@ std::vector<const Plan*> Renderer::plans() const
     for (const auto& part : parts_)
         plans.push_back(&part.plan);
     return plans;
+}
+
+// The same for all parts, so that the samples of every pixel add up in the same order.
+void Renderer::dealSamples()
+{
+    batches_ = sampleBatches(view_.samples, loopIterations(prepared_->plan, prepared_->packed), software_);
 }
 
 void Renderer::bindTo(const PartProgram& part) const

@@ -28,7 +28,8 @@ public:
              std::vector<AssembledPart> assembled);
 
     // Goes on with the same scene at another time, as moveTo() left it: nothing is compiled, and no picture
-    // is uploaded. `prepared` must outlive the renderer.
+    // is uploaded. `prepared` must outlive the renderer. Throws badInput where a sample now takes more loop
+    // iterations than the driver runs.
     void update(const PreparedScene& prepared);
 
     // The same in a picture of another size, as the parts of `prepared` fill it.
@@ -56,9 +57,11 @@ protected:
 private:
     void bindTo(const PartProgram& part) const;
     std::vector<const Plan*> plans() const;
+    void dealSamples();
 
     const PreparedScene* prepared_;
     ViewSettings view_;
+    bool software_; // the driver
     std::vector<SampleBatch> batches_;
     std::vector<PartProgram> parts_;
     DeviceScene device_;

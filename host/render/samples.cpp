@@ -58,12 +58,12 @@ long loopIterations(const Plan& plan, const PackedScene& packed)
 {
     Iterations sample = iterationsOfARay(plan, packed);
     if (plan.tree != RayTree::single)
-        sample = loop(plan.budget, sample);
+        sample = loop(packed.budget, sample);
     if (plan.tree == RayTree::heaviestFirst)
         sample = sample + loop(packed.poolSlots);
     // What still waits at a sample's end is counted one by one.
     if (showsRayTree(plan.view))
-        sample = sample + loop(plan.tree == RayTree::heaviestFirst ? packed.poolSlots : plan.budget);
+        sample = sample + loop(plan.tree == RayTree::heaviestFirst ? packed.poolSlots : packed.budget);
     return loop(1, sample).full;
 }
 

@@ -1,5 +1,6 @@
 // A latched scene has more in its shader than it needs, and draws the picture that it draws without.
 #include "render/latch.h"
+#include "render/renderer.h"
 #include "scene/load.h"
 #include "support/compare.h"
 #include "support/random_scene.h"
@@ -217,6 +218,23 @@ TEST(LatchedPicture, WithinAnOpaqueSolidThatWasClear_IsLit)
         EXPECT_GT(brightest, 0.1);
         expectAlike(std::string("within, ") + form, drawn(latched, settings).picture, picture);
     }
+}
+
+// A budget is no part of the text of most trees: the same renderer goes on with it.
+TEST(LatchedPicture, RendererGoesOnWithAnotherBudget)
+{
+    const auto path = glslFolder() / "scenes" / "glass.toml";
+    const auto settings = settingsFor(64, 36, DataView::none);
+    const auto& context = contextFor("auto");
+    auto prepared = prepare(loadScene(path, {"trace.budget=2"}), settings);
+    Renderer renderer(prepared, settings, context);
+    Scene edited = loadScene(path, {"trace.budget=3000"});
+    latch(edited, loadScene(path, {"trace.budget=2"}));
+    moveTo(prepared, edited, settings);
+    renderer.update(prepared);
+    const auto still = drawStill(renderer, {0, 0, 64, 36});
+    expectAlike("budget", still.picture, drawn(loadScene(path, {"trace.budget=3000"}), settings).picture);
+    EXPECT_GT(still.counts.rays, 2.5 * 64 * 36);
 }
 
 // What the budget of a wider plan leaves room for is not counted as waiting.

@@ -15,7 +15,7 @@ using namespace dioptre;
 namespace
 {
 
-const std::filesystem::path glsl = std::filesystem::path(DIOPTRE_SOURCE_DIR) / "glsl";
+const std::filesystem::path latchGlsl = std::filesystem::path(DIOPTRE_SOURCE_DIR) / "glsl";
 
 // A scene under edits, each latched on the one before.
 class Edited
@@ -47,7 +47,7 @@ public:
     {
         auto all = always_;
         all.insert(all.end(), overrides.begin(), overrides.end());
-        return parseScene(toml_, glsl / "scenes" / "text.toml", all);
+        return parseScene(toml_, latchGlsl / "scenes" / "text.toml", all);
     }
 
     const Scene& scene() const
@@ -63,7 +63,8 @@ public:
         // Of a picture, the text knows its size alone.
         const Picture picture{64, 64, PixelFormat::srgb8, {}, {}};
         packed.pictures.resize(plan.pictures.size(), {picture});
-        return flatten(assemble(scene, plan, packed, glsl)) + flatten(assembleVertex(plan, packed, glsl));
+        return flatten(assemble(scene, plan, packed, latchGlsl)) +
+               flatten(assembleVertex(plan, packed, latchGlsl));
     }
 
 private:
@@ -179,7 +180,7 @@ class Latched : public testing::TestWithParam<std::filesystem::path>
 std::vector<std::filesystem::path> gallery()
 {
     std::vector<std::filesystem::path> scenes;
-    for (const auto& entry : std::filesystem::directory_iterator(glsl / "scenes"))
+    for (const auto& entry : std::filesystem::directory_iterator(latchGlsl / "scenes"))
         if (entry.path().extension() == ".toml")
             scenes.push_back(entry.path());
     std::ranges::sort(scenes);
@@ -208,7 +209,7 @@ TEST(Latch, OtherFormsAndOrders_SettleToo)
 {
     for (const char* choice : {"trace.form=loop", "trace.order=depth-first", "trace.order=breadth-first",
                                "plan.force=all", "trace.light_type=0", "trace.light_type=2"})
-        expectToSettle(glsl / "scenes" / "glass.toml", {"animate=[]", choice});
+        expectToSettle(latchGlsl / "scenes" / "glass.toml", {"animate=[]", choice});
 }
 
 TEST(Latch, FeatureThatAnEditBringsIn_ChangesTheTextOnce)
@@ -320,7 +321,7 @@ TEST(Latch, OtherStructure_IsLeftAsItWasLoaded)
           "material.n.outside=n2", "ball.material=n"}) {
         const std::string wanted = change;
         const std::string extra = wanted.ends_with("n2") ? "[material.n2]\n" : "";
-        const auto path = glsl / "scenes" / "text.toml";
+        const auto path = latchGlsl / "scenes" / "text.toml";
         Scene scene = parseScene(extra + room, path, {wanted});
         latch(scene, edited.scene());
         EXPECT_TRUE(scene.typical.empty()) << change;
