@@ -94,10 +94,13 @@ public:
     }
 
 private:
-    // Whether the entry's value stands behind its key: not as a table of headers or of dotted keys.
+    // Whether the entry's value stands behind its key: not as a table of headers or of dotted keys. A header
+    // may follow those of the tables within it.
     bool isWritten(const Entry& entry) const
     {
-        return places_.beginOf(entry.value) > places_.keyOf(entry);
+        const bool isTable = std::holds_alternative<Table>(entry.value.data);
+        return places_.beginOf(entry.value) > places_.keyOf(entry) &&
+               (!isTable || formOf(entry.value) == Form::inlined);
     }
 
     // Whether a table has no header but those of tables within it: [material.glass] makes `material`.

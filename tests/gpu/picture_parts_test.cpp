@@ -92,7 +92,7 @@ TEST(PictureParts, OfRandomScenes_MissNoObject)
         Request request{96, 72, 1, {}, "auto"};
         request.view = DataView::object;
         const auto view = renderSceneText(toml, request).picture;
-        const auto scene = parseScene(toml, glslFolder() / "scenes" / "text.toml");
+        const auto scene = parseScene(toml, glslFolder() / "scenes" / "text.toml", {}, 0.0, places());
         EXPECT_EQ(missed(scene, view, met), 0U) << "seed " << seed;
     }
     EXPECT_GT(met, 10000U);

@@ -232,10 +232,10 @@ public:
             return "";
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ExitCode::badInput);
-            for (const Complaint& complaint : error.complaints())
-                EXPECT_NE(std::string(error.what()).find(describe(complaint.where) + ": " + complaint.what),
-                          std::string::npos)
-                    << complaint.what;
+            for (const auto& [where, what, mend] : error.complaints()) {
+                const std::string told = where.path.empty() ? what : describe(where) + ": " + what;
+                EXPECT_NE(std::string(error.what()).find(told), std::string::npos) << told;
+            }
             return error.what();
         }
     }
