@@ -28,6 +28,7 @@ struct LiveOptions {
     std::string output;                  // of screenshots; the input's name with -1.png and so on where empty
     std::string screenshotSize;          // WxH; "" for the window's own pixels
     double drawLimit_s = 5.0;            // that a small picture of a new program may take
+    std::vector<std::string> included;   // folders that scenes and shaders may take files from
     bool forget = false;                 // neither read nor keep what is remembered of an input
     bool json = false;                   // a line for each event
 };

@@ -1,5 +1,6 @@
 #include "command/live_options.h"
 
+#include "command/include_option.h"
 #include "command/size_option.h"
 #include "render/data_view.h"
 
@@ -40,6 +41,7 @@ void addLive(CLI::App& app, LiveOptions& options)
             ->add_option(fmt::format("--channel{}", i), options.channels[i],
                          fmt::format("iChannel{} of a plain shader: a picture, or a cube's six", i))
             ->type_name("FILE");
+    addInclude(*command, options.included);
     command->add_option("--view", options.view, "show data in place of light, as render's --view")
         ->check(CLI::IsMember(dataViewNames()))
         ->type_name("VIEW");

@@ -50,6 +50,10 @@ public:
     bool draw(double budget_ms);
 
     bool isDone() const;
+    bool isBegun() const // of the next sample some is drawn
+    {
+        return row_ > 0;
+    }
     int samplesDone() const
     {
         return samplesDone_;

@@ -1,6 +1,7 @@
 // The panel, messages and help over the picture, by Dear ImGui.
 #pragma once
 
+#include "live/keys.h"
 #include "live/model.h"
 #include "live/stage.h"
 #include "live/window.h"
@@ -12,11 +13,11 @@ namespace dioptre
 
 // What a user did in the panel.
 struct UiWishes {
-    std::map<std::string, std::string> changes;            // of a scene, path to value
-    std::map<std::string, std::vector<double>> sliders;    // of a plain shader
-    std::optional<std::optional<Display>> display;         // another one
-    std::optional<double> time_s;                          // scrubbed to
-    std::vector<int> actions;                              // Action
+    std::map<std::string, std::string> changes;         // of a scene, path to value
+    std::map<std::string, std::vector<double>> sliders; // of a plain shader
+    std::optional<std::optional<Display>> display;      // another one
+    std::optional<double> time_s;                       // scrubbed to
+    std::vector<Action> actions;
 };
 
 // What is shown beside the model.

@@ -1,0 +1,24 @@
+#include "live/live.h"
+
+#include "base/interruption.h"
+#include "live/session.h"
+
+namespace dioptre
+{
+
+ExitCode live(const LiveOptions& options)
+{
+    startVariablesAtZero();
+    const Interruption interruption;
+    Session session(options);
+    while (session.turn()) {
+    }
+    return ExitCode::done;
+}
+
+ExitCode benchReload(const ReloadBenchOptions&)
+{
+    fail(ExitCode::usage, "not yet", "wait");
+}
+
+} // namespace dioptre

@@ -1,0 +1,17 @@
+// What a window can be asked to show.
+#pragma once
+
+#include "command/input.h"
+
+namespace dioptre
+{
+
+struct LiveInput : Input {
+    std::string picture;   // where a picture file is shown, by a shader of our own; "" else
+    bool isLinear = false; // the picture holds radiance
+};
+
+// As findInput(), and pictures by their extension. Throws inputMissing.
+LiveInput findLiveInput(const std::string& text);
+
+} // namespace dioptre

@@ -1,0 +1,186 @@
+#include "live/session.h"
+
+#include "base/clock.h"
+#include "base/interruption.h"
+#include "command/plain_options.h"
+#include "gl/object_count.h"
+#include "render/pack.h"
+#include "render/shared_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace dioptre
+{
+namespace
+{
+
+using Clock = LiveClock::Clock;
+
+DeviceTraits traitsOf(const ContextInfo& context, double drawLimit_s)
+{
+    return {context.software, sharedVectorsOfContext(), drawLimit_s};
+}
+
+glm::ivec2 sizeOf(const LiveOptions& options)
+{
+    return options.width > 0 ? glm::ivec2(options.width, options.height) : glm::ivec2(1280, 720);
+}
+
+nlohmann::ordered_json placesOf(const Fault& fault)
+{
+    auto places = nlohmann::ordered_json::array();
+    for (const auto& [complaint, excerpt] : fault.places)
+        places.push_back({{"path", complaint.where.path},
+                          {"line", complaint.where.line},
+                          {"column", complaint.where.column},
+                          {"what", complaint.what},
+                          {"mend", complaint.mend}});
+    return places;
+}
+
+} // namespace
+
+Session::Session(const LiveOptions& options)
+    : options_(options), model_(options), log_(options.json),
+      window_(sizeOf(options), "dioptre live: " + options.input), stage_(window_.context(), glslFolder()),
+      reloader_(traitsOf(window_.context(), options.drawLimit_s), [] { Window::wake(); }), ui_(window_)
+{
+    model_.look.places = searchPlaces(options.included);
+    model_.look.channels = options.channels;
+    model_.look.samples = options.samples;
+    model_.look.view = dataViewNamed(options.view);
+    model_.look.size_px = window_.size_px();
+    model_.given = options.overrides;
+    openAgain(findLiveInput(options.input));
+}
+
+void Session::openAgain(const LiveInput& input)
+{
+    model_.look.input = input;
+    if (!input.picture.empty()) {
+        model_.look.channels = {input.picture + "?filter=nearest"};
+        model_.frame.live.sliders["u_encode"] = {input.isLinear ? 1.0 : 0.0};
+    }
+    if (input.plainShader) {
+        model_.look.values = plainValues(model_.given);
+        model_.frame.rate = options_.fps;
+    }
+    window_.setTitle("dioptre live: " + input.name);
+    ask();
+}
+
+// What was changed by hand belongs to what was open before.
+void Session::open(const std::filesystem::path& path)
+{
+    try {
+        const LiveInput input = findLiveInput(path.string());
+        model_.changes.clear();
+        model_.given.clear();
+        model_.look.values.clear();
+        model_.look.camera.reset();
+        model_.display.reset();
+        model_.look.view = DataView::none;
+        model_.look.channels = {};
+        model_.frame = {};
+        openAgain(input);
+        log_.say("opened", {{"input", path.string()}});
+    } catch (const Error& error) {
+        fail(error);
+    }
+}
+
+void Session::ask()
+{
+    model_.frame.time_s = model_.clock.time_s();
+    reloader_.ask(wanted(model_), model_.clock.time_s(), model_.frame, stage_.loaded());
+}
+
+void Session::fail(const Error& error)
+{
+    model_.fault = faultOf(error);
+    std::fprintf(stderr, "dioptre: %s\n", error.what());
+    log_.say("error", {{"text", error.what()},
+                       {"code", static_cast<int>(error.code())},
+                       {"places", placesOf(*model_.fault)}});
+    paints_ = 3;
+}
+
+// A value that was changed by hand may be good no more once the file is another.
+void Session::dropFaultyChanges(const Error& error)
+{
+    const auto& where = error.complaints().front().where.path;
+    for (const auto& [path, value] : model_.changes)
+        if (where == "--set " + path + "=" + value) {
+            notice("dropped " + path + ", which the file takes no more");
+            model_.changes.erase(path);
+            return ask();
+        }
+    fail(error);
+}
+
+void Session::apply(ReloadOutcome outcome)
+{
+    if (outcome.error)
+        return dropFaultyChanges(*outcome.error);
+    Stopwatch watch;
+    const bool compiled = outcome.compile_ms > 0.0;
+    const double load_ms = outcome.loaded->load_ms;
+    const bool first = stage_.loaded() == nullptr;
+    try {
+        stage_.take(std::move(*outcome.loaded));
+    } catch (const Error& error) {
+        return fail(error);
+    }
+    const double window_ms = watch.lap_ms();
+    const BuildTimes& built = stage_.facts().built;
+    model_.reload = {
+        load_ms, outcome.compile_ms + outcome.firstDraw_ms, window_ms, outcome.waited_ms + window_ms,
+        compiled && built.compile + built.firstDraw < 0.5 * (outcome.compile_ms + outcome.firstDraw_ms)};
+    if (model_.fault)
+        std::fprintf(stderr, "dioptre: mended\n");
+    model_.fault.reset();
+    if (model_.restartOnReload && !first)
+        model_.clock.restart();
+    ++picturesTaken_;
+    moved_ = true; // the window may be of another size by now
+    wasDone_ = false;
+    paints_ = 3;
+    nlohmann::ordered_json details = {{"number", outcome.number},
+                                      {"input", model_.look.input.path.string()},
+                                      {"compiled", compiled},
+                                      {"load_ms", load_ms},
+                                      {"compile_ms", outcome.compile_ms},
+                                      {"first_draw_ms", outcome.firstDraw_ms},
+                                      {"window_ms", window_ms},
+                                      {"total_ms", model_.reload.total_ms}};
+    if (log_.isOn())
+        details["gl_objects"] = countGlObjects();
+    log_.say("shown", std::move(details));
+}
+
+bool Session::turn()
+{
+    window_.wait(waitTime_s());
+    if (Interruption::signal() != 0)
+        window_.close();
+    const auto now = Clock::now();
+    const double elapsed_s = std::chrono::duration<double>(now - lastTurn_).count();
+    lastTurn_ = now;
+    for (const auto& event : window_.takeEvents()) {
+        handle(event);
+        paints_ = 3;
+    }
+    fly(std::min(elapsed_s, 0.1));
+    if (reloader_.filesChanged())
+        ask();
+    while (auto outcome = reloader_.step(stage_.loaded()))
+        apply(std::move(*outcome));
+    follow();
+    paint();
+    return !window_.isClosing();
+}
+
+} // namespace dioptre

@@ -1,0 +1,111 @@
+// A window with its picture, from one turn of its loop to the next.
+#pragma once
+
+#include "live/event_log.h"
+#include "live/live_input.h"
+#include "live/reloader.h"
+#include "live/stage.h"
+#include "live/ui.h"
+#include "live/window.h"
+
+#include <deque>
+#include <memory>
+
+namespace dioptre
+{
+
+class Session
+{
+public:
+    // Opens the window and asks for the first picture. Throws noOpenGl, and inputMissing for an input that is
+    // not there.
+    explicit Session(const LiveOptions& options);
+
+    // Waits for something to do, does it, and shows what is new. False once the window is closed.
+    bool turn();
+
+    // For those who measure.
+    const LiveModel& model() const
+    {
+        return model_;
+    }
+    const Stage& stage() const
+    {
+        return stage_;
+    }
+    Window& window()
+    {
+        return window_;
+    }
+    bool isBusy() const
+    {
+        return reloader_.isBusy();
+    }
+    long framesShown() const
+    {
+        return framesShown_;
+    }
+    long picturesTaken() const // reloads that have reached the device
+    {
+        return picturesTaken_;
+    }
+
+private:
+    void open(const std::filesystem::path& path);
+    void openAgain(const LiveInput& input);
+    void ask();
+    void apply(ReloadOutcome outcome);
+    void fail(const Error& error);
+    void dropFaultyChanges(const Error& error);
+
+    // session_input.cpp
+    void handle(const InputEvent& event);
+    void handleButton(const InputEvent& event);
+    void handleMove(const InputEvent& event);
+    void handleKey(const InputEvent& event);
+    void act(Action action);
+    void fly(double elapsed_s);
+    void setCamera(const Camera& camera);
+    void change(const std::string& path, const std::string& value);
+    void raiseLights(double metres);
+    void nextLightType();
+    void nextOrder();
+    void nextView();
+    void changeBudget(int difference);
+    void changeSamples(int samples);
+
+    // session_output.cpp
+    void screenshot();
+    void writeBack();
+    void notice(const std::string& text);
+
+    // session_paint.cpp
+    double waitTime_s();
+    void follow(); // the window's size, the time, the camera
+    void paint();
+    void grant(const UiWishes& wishes);
+
+    LiveOptions options_;
+    LiveModel model_;
+    EventLog log_;
+    Window window_;
+    Stage stage_;
+    Reloader reloader_;
+    Ui ui_;
+
+    std::deque<float> frames_ms_;
+    LiveClock::Clock::time_point lastFrame_ = LiveClock::Clock::now();
+    LiveClock::Clock::time_point lastTurn_ = LiveClock::Clock::now();
+    LiveClock::Clock::time_point noticedAt_;
+    LiveClock::Clock::time_point lookedAt_; // when the camera was last asked after by the loader
+    long framesShown_ = 0;
+    long picturesTaken_ = 0;
+    int paints_ = 3;              // still to be made: the panel takes some frames to settle
+    bool moved_ = false;          // the picture's moment, camera, size or samples
+    bool looksElsewhere_ = false; // the camera, so that the plan is to be looked at again
+    bool wasDone_ = false;
+    int dragged_ = -1; // the button that is held over the picture
+    glm::dvec2 pointer_px_{0.0};
+};
+
+} // namespace dioptre

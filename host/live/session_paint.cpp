@@ -1,0 +1,132 @@
+#include "live/session.h"
+
+#include "gl/object_count.h"
+
+#include <algorithm>
+
+namespace dioptre
+{
+namespace
+{
+
+using Clock = LiveClock::Clock;
+
+constexpr double frame_s = 1.0 / 60.0;
+constexpr double drawBudget_ms = 25.0; // between two looks at the keys
+constexpr double notice_s = 4.0;
+constexpr double look_s = 0.15; // between two looks at the plan while the camera moves
+constexpr std::size_t framesKept = 120;
+
+double since_s(Clock::time_point then)
+{
+    return std::chrono::duration<double>(Clock::now() - then).count();
+}
+
+} // namespace
+
+// Nothing to do: a signal's mark is looked for now and then. X, files and threads end the wait themselves.
+double Session::waitTime_s()
+{
+    const bool draws = stage_.loaded() != nullptr && !stage_.isDone();
+    const bool plays = stage_.loaded() != nullptr && stage_.facts().usesTime && !model_.clock.isPaused();
+    if (draws || paints_ > 0 || moved_)
+        return 0.0;
+    if (plays)
+        return std::max(0.0005, frame_s - since_s(lastFrame_));
+    if (reloader_.compilingFor_s() > 0.0 || !model_.notice.empty() || looksElsewhere_)
+        return 0.1;
+    return 0.5;
+}
+
+void Session::follow()
+{
+    if (!model_.notice.empty() && since_s(noticedAt_) > notice_s) {
+        model_.notice.clear();
+        paints_ = 2;
+    }
+    if (reloader_.compilingFor_s() > 0.2)
+        paints_ = std::max(paints_, 1);
+    if (const glm::ivec2 size = window_.size_px(); size.x > 0 && size.y > 0 && size != model_.look.size_px) {
+        model_.look.size_px = size;
+        moved_ = true;
+    }
+    if (stage_.loaded() == nullptr)
+        return;
+    // Features that another place needs are found by planning anew, beside the picture.
+    if (looksElsewhere_ && since_s(lookedAt_) > look_s && !reloader_.isBusy()) {
+        looksElsewhere_ = false;
+        lookedAt_ = Clock::now();
+        ask();
+    }
+    const bool plays = stage_.facts().usesTime && !model_.clock.isPaused();
+    const bool due = plays && since_s(lastFrame_) >= frame_s;
+    // A frame that was begun is ended first, or a slow picture would never be seen under a moving hand.
+    const bool begun = stage_.samplesDone() == 0 && !stage_.isDone() && stage_.isBegun();
+    if ((moved_ || due) && !begun) {
+        model_.frame.time_s = model_.clock.time_s();
+        stage_.moveTo(wanted(model_), model_.clock.time_s(), model_.frame);
+        model_.frame.pointer.nextFrame();
+        moved_ = false;
+        wasDone_ = false;
+    }
+}
+
+void Session::paint()
+{
+    bool fresh = window_.takeDamage();
+    const glm::ivec2 size_px = window_.size_px();
+    if (size_px.x == 0 || size_px.y == 0)
+        return;
+    if (stage_.loaded() != nullptr && !stage_.isDone()) {
+        try {
+            fresh = stage_.draw(drawBudget_ms) || fresh;
+        } catch (const Error& error) {
+            fail(error);
+        }
+    }
+    if (stage_.loaded() != nullptr && stage_.isDone() && !wasDone_) {
+        wasDone_ = true;
+        if (!stage_.facts().usesTime || model_.clock.isPaused())
+            log_.say("done",
+                     {{"samples", stage_.samplesDone()}, {"gl_objects", log_.isOn() ? countGlObjects() : 0}});
+        paints_ = std::max(paints_, 1);
+    }
+    if (!fresh && paints_ <= 0)
+        return;
+    paints_ = std::max(0, paints_ - 1);
+    stage_.shown().draw(size_px);
+    if (model_.showPanel || model_.showHelp || model_.fault || !model_.notice.empty())
+        grant(ui_.draw(model_, {stage_, frames_ms_, reloader_.compilingFor_s(), window_.context()}));
+    window_.swap();
+    if (fresh) {
+        frames_ms_.push_back(static_cast<float>(1000.0 * since_s(lastFrame_)));
+        if (frames_ms_.size() > framesKept)
+            frames_ms_.pop_front();
+        lastFrame_ = Clock::now();
+        ++framesShown_;
+    }
+}
+
+void Session::grant(const UiWishes& wishes)
+{
+    for (const auto& [path, value] : wishes.changes)
+        model_.changes[path] = value;
+    if (!wishes.changes.empty())
+        ask();
+    for (const auto& [name, numbers] : wishes.sliders)
+        model_.frame.live.sliders[name] = numbers;
+    moved_ = moved_ || !wishes.sliders.empty();
+    if (wishes.display) {
+        model_.display = *wishes.display;
+        stage_.setDisplay(model_.display);
+        paints_ = std::max(paints_, 1);
+    }
+    if (wishes.time_s) {
+        model_.clock.jumpTo(*wishes.time_s);
+        moved_ = true;
+    }
+    for (const Action action : wishes.actions)
+        act(action);
+}
+
+} // namespace dioptre
