@@ -16,10 +16,10 @@ namespace
 namespace fs = std::filesystem;
 
 // Follows #include from file to file.
-class Reached
+class IncludeWalk
 {
 public:
-    explicit Reached(Search search) : search_(std::move(search)) {}
+    explicit IncludeWalk(Search search) : search_(std::move(search)) {}
 
     void addFile(const fs::path& file)
     {
@@ -80,21 +80,21 @@ private:
 
 std::vector<fs::path> filesOfScene(const fs::path& scene, const std::string& text, const SearchPlaces& places)
 {
-    Reached reached({{places.glslFolder}, {}, "scene"});
-    reached.addFile(scene);
+    IncludeWalk walk({{places.glslFolder}, {}, "scene"});
+    walk.addFile(scene);
     for (const auto& picture : picturesNamedIn(text, scene, places))
-        reached.addFile(picture);
-    reached.addFileAndIncludes(places.glslFolder / "ray_trace.frag");
+        walk.addFile(picture);
+    walk.addFileAndIncludes(places.glslFolder / "ray_trace.frag");
     for (const auto& name : includesOfGenerated())
-        reached.addInclude(name);
-    return std::move(reached).files();
+        walk.addInclude(name);
+    return std::move(walk).files();
 }
 
 std::vector<fs::path> filesOfShader(const fs::path& shader, const SearchPlaces& places)
 {
-    Reached reached(includeSearch(shader, places));
-    reached.addFileAndIncludes(shader);
-    return std::move(reached).files();
+    IncludeWalk walk(includeSearch(shader, places));
+    walk.addFileAndIncludes(shader);
+    return std::move(walk).files();
 }
 
 } // namespace dioptre
