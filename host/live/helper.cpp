@@ -63,7 +63,7 @@ int runHelper()
         } catch (const std::exception& error) {
             reply.fault = error.what();
         }
-        if (!writeAll(STDOUT_FILENO, packed(reply)))
+        if (!writeAll(STDOUT_FILENO, bytesOf(reply)))
             break;
     }
     return 0;

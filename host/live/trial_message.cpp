@@ -23,7 +23,7 @@ namespace
 {
 
 template <typename Message>
-std::vector<std::uint8_t> bytesOf(const Message& message)
+std::vector<std::uint8_t> framed(const Message& message)
 {
     const auto body = nlohmann::json::to_cbor(nlohmann::json(message));
     const std::uint64_t length = body.size();
@@ -68,14 +68,14 @@ std::optional<Message> read(int descriptor)
 
 } // namespace
 
-std::vector<std::uint8_t> packed(const TrialMessage& message)
+std::vector<std::uint8_t> bytesOf(const TrialMessage& message)
 {
-    return bytesOf(message);
+    return framed(message);
 }
 
-std::vector<std::uint8_t> packed(const TrialReply& reply)
+std::vector<std::uint8_t> bytesOf(const TrialReply& reply)
 {
-    return bytesOf(reply);
+    return framed(reply);
 }
 
 std::optional<TrialMessage> readTrialMessage(int descriptor)

@@ -24,8 +24,8 @@ struct TrialReply {
 };
 
 // The bytes of a message with its length before them.
-std::vector<std::uint8_t> packed(const TrialMessage& message);
-std::vector<std::uint8_t> packed(const TrialReply& reply);
+std::vector<std::uint8_t> bytesOf(const TrialMessage& message);
+std::vector<std::uint8_t> bytesOf(const TrialReply& reply);
 
 // Waits for a whole message; nothing at the end of the stream or where it holds none.
 std::optional<TrialMessage> readTrialMessage(int descriptor);

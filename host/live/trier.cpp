@@ -108,7 +108,7 @@ void Trier::start(long number, std::vector<ProgramTrial> trials, double drawLimi
     askedAt_ = Clock::now();
     limit_s_ = compileLimit_s + drawLimit_s * static_cast<double>(trials.size());
     // What is written and not read is found by take(): the helper is at its end then.
-    writeAll(input_, packed(TrialMessage{number, drawLimit_s, std::move(trials)}));
+    writeAll(input_, bytesOf(TrialMessage{number, drawLimit_s, std::move(trials)}));
 }
 
 void Trier::cancel()

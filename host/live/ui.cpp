@@ -3,9 +3,9 @@
 #include "live/overlays.h"
 #include "live/panel.h"
 
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
-#include <imgui_impl_glfw.h>
-#include <imgui_impl_opengl3.h>
 
 namespace dioptre
 {

@@ -22,9 +22,9 @@ struct InputEvent {
     bool down = false;
     bool shift = false;
     bool control = false;
-    glm::dvec2 at_px{0.0};                    // of the pointer, from the picture's lower left
-    double scroll = 0.0;                      // away from the user, notches
-    std::vector<std::filesystem::path> files; // dropped
+    glm::dvec2 at_px{0.0};                      // of the pointer, from the picture's lower left
+    double scroll = 0.0;                        // away from the user, notches
+    std::vector<std::filesystem::path> files{}; // dropped
 };
 
 // One at a time. All of it belongs to the thread that made it, but wake().
