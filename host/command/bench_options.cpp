@@ -41,11 +41,28 @@ void addBench(CLI::App& app, BenchOptions& options)
     command->add_option("--backend", options.backend, "where to draw")
         ->check(CLI::IsMember(backendNames()))
         ->capture_default_str();
+    auto* reload = command->add_flag(
+        "--reload", options.reload,
+        "measure in a window how long edits of a scene take to be seen, by editing a copy of it");
+    command->add_option("--edits", options.edits, "of each kind, under --reload")
+        ->check(CLI::Range(1, 100000))
+        ->needs(reload)
+        ->capture_default_str();
     command->add_flag("--python", options.python,
                       "hold a plain Python tracer to them, on the first scene as its file stands");
     command->add_flag("--json", options.json, "print figures as JSON");
     // Not for users: the program starts itself with it, once for every cold start.
     command->add_flag("--cold-start", options.coldStart)->group("");
+}
+
+ReloadBenchOptions reloadOptions(const BenchOptions& options)
+{
+    if (options.inputs.size() != 1)
+        fail(ExitCode::usage, "--reload edits one scene", "name one");
+    if (options.samples || options.frames > 0 || options.python)
+        fail(ExitCode::usage, "--spp, --frames and --python are for frames, and --reload measures edits",
+             "leave them out");
+    return {options.inputs.front(), options.width, options.height, options.edits, options.json};
 }
 
 } // namespace dioptre

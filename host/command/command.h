@@ -29,6 +29,7 @@ struct LiveOptions {
     std::string screenshotSize;          // WxH; "" for the window's own pixels
     double drawLimit_s = 5.0;            // that a small picture of a new program may take
     std::vector<std::string> included;   // folders that scenes and shaders may take files from
+    bool hidePanel = false;              // at first
     bool forget = false;                 // neither read nor keep what is remembered of an input
     bool json = false;                   // a line for each event
 };
@@ -95,6 +96,8 @@ struct BenchOptions {
     int frames = 0;                    // of each input; 0: as many as a time allows, up to 30
     int coldStarts = 5;                // of each input, each in a process of its own
     std::string backend = "auto";
+    bool reload = false; // measure edits in a window instead
+    int edits = 30;      // of each kind, then
     bool python = false; // hold a plain Python tracer to them
     bool json = false;
     bool coldStart = false; // be one of those processes

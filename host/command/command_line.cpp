@@ -240,6 +240,8 @@ ExitCode runCommandLine(const std::vector<std::string>& arguments, const WindowC
     }
     if (app.got_subcommand("live"))
         return windows.live(liveOptions);
+    if (app.got_subcommand("bench") && benchOptions.reload)
+        return windows.benchReload(reloadOptions(benchOptions));
     if (app.got_subcommand("bench"))
         return bench(benchOptions);
     if (app.got_subcommand("join"))

@@ -56,6 +56,7 @@ void addLive(CLI::App& app, LiveOptions& options)
                      "seconds that a small picture of an edited shader may take before it counts as endless")
         ->type_name("S")
         ->capture_default_str();
+    command->add_flag("--no-panel", options.hidePanel, "hide the panel at first; Tab shows it");
     command->add_flag("--forget", options.forget,
                       "neither use nor keep what is remembered: window, panel, camera");
     command->add_flag("--json", options.json, "print a line of JSON for each event");

@@ -16,9 +16,4 @@ ExitCode live(const LiveOptions& options)
     return ExitCode::done;
 }
 
-ExitCode benchReload(const ReloadBenchOptions&)
-{
-    fail(ExitCode::usage, "not yet", "wait");
-}
-
 } // namespace dioptre

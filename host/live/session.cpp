@@ -54,6 +54,7 @@ Session::Session(const LiveOptions& options)
     model_.look.view = dataViewNamed(options.view);
     model_.look.size_px = window_.size_px();
     model_.given = options.overrides;
+    model_.showPanel = !options.hidePanel;
     openAgain(findLiveInput(options.input));
 }
 

@@ -24,6 +24,12 @@ public:
     // Waits for something to do, does it, and shows what is new. False once the window is closed.
     bool turn();
 
+    // Draws the picture anew, as a hand that moves the camera would.
+    void moveOn()
+    {
+        moved_ = true;
+    }
+
     // For those who measure.
     const LiveModel& model() const
     {
@@ -45,9 +51,9 @@ public:
     {
         return framesShown_;
     }
-    long picturesTaken() const // reloads that have reached the device
+    long picturesShown() const // reloads whose first frame was shown
     {
-        return picturesTaken_;
+        return picturesShown_;
     }
 
 private:
@@ -81,6 +87,7 @@ private:
 
     // session_paint.cpp
     double waitTime_s();
+    bool isToDraw() const;
     void follow(); // the window's size, the time, the camera
     void paint();
     void grant(const UiWishes& wishes);
@@ -99,7 +106,8 @@ private:
     LiveClock::Clock::time_point noticedAt_;
     LiveClock::Clock::time_point lookedAt_; // when the camera was last asked after by the loader
     long framesShown_ = 0;
-    long picturesTaken_ = 0;
+    long picturesTaken_ = 0; // reloads that have reached the device
+    long picturesShown_ = 0;
     int paints_ = 3;              // still to be made: the panel takes some frames to settle
     bool moved_ = false;          // the picture's moment, camera, size or samples
     bool looksElsewhere_ = false; // the camera, so that the plan is to be looked at again

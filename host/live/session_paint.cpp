@@ -24,11 +24,22 @@ double since_s(Clock::time_point then)
 
 } // namespace
 
+// A picture that refines itself and is to be replaced leaves the processor to the compiler.
+bool Session::isToDraw() const
+{
+    const bool refines = stage_.samplesDone() > 0 && !stage_.isBegun();
+    return stage_.loaded() != nullptr && !stage_.isDone() && !(refines && reloader_.compilingFor_s() > 0.0);
+}
+
 // Nothing to do: a signal's mark is looked for now and then. X, files and threads end the wait themselves.
 double Session::waitTime_s()
 {
-    const bool draws = stage_.loaded() != nullptr && !stage_.isDone();
+    const bool draws = isToDraw();
     const bool plays = stage_.loaded() != nullptr && stage_.facts().usesTime && !model_.clock.isPaused();
+    const bool compiles = reloader_.compilingFor_s() > 0.0;
+    // The compiler works at low priority: a picture that runs leaves it every other moment.
+    if (compiles && (plays || moved_) && !stage_.isBegun())
+        return std::clamp(0.001 * stage_.facts().sample_ms, 0.0, 0.5);
     if (draws || paints_ > 0 || moved_)
         return 0.0;
     if (plays)
@@ -73,13 +84,14 @@ void Session::follow()
 
 void Session::paint()
 {
-    bool fresh = window_.takeDamage();
+    bool fresh = false; // a frame of the picture
+    paints_ = std::max(paints_, window_.takeDamage() ? 1 : 0);
     const glm::ivec2 size_px = window_.size_px();
     if (size_px.x == 0 || size_px.y == 0)
         return;
-    if (stage_.loaded() != nullptr && !stage_.isDone()) {
+    if (isToDraw()) {
         try {
-            fresh = stage_.draw(drawBudget_ms) || fresh;
+            fresh = stage_.draw(drawBudget_ms);
         } catch (const Error& error) {
             fail(error);
         }
@@ -104,6 +116,7 @@ void Session::paint()
             frames_ms_.pop_front();
         lastFrame_ = Clock::now();
         ++framesShown_;
+        picturesShown_ = picturesTaken_;
     }
 }
 
