@@ -32,7 +32,8 @@ struct Look {
 };
 
 struct LoadRequest {
-    long number = 0; // counts up
+    long number = 0;           // counts up
+    bool measuresLost = false; // no picture is wanted, but the weight that a small one loses
     Look look;
     double time_s = 0.0;
     PlainFrame frame;                   // of a plain shader

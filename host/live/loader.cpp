@@ -43,7 +43,7 @@ bool Loader::isBusy() const
 
 void Loader::run()
 {
-    KeptPictures kept;
+    KeptPictures kept, keptToMeasure;
     std::unique_lock lock(mutex_);
     while (true) {
         asked_.wait(lock, [this] { return ending_ || request_; });
@@ -52,7 +52,7 @@ void Loader::run()
         const LoadRequest request = *std::exchange(request_, std::nullopt);
         working_ = true;
         lock.unlock();
-        LoadOutcome outcome = loadOnce(request, device_, kept);
+        LoadOutcome outcome = loadOnce(request, device_, request.measuresLost ? keptToMeasure : kept);
         lock.lock();
         working_ = false;
         outcome_ = std::move(outcome);

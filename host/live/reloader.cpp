@@ -44,7 +44,7 @@ Reloader::Reloader(const DeviceTraits& device, std::function<void()> wake)
 
 long Reloader::ask(const Look& look, double time_s, const PlainFrame& frame, const Loaded* shown)
 {
-    LoadRequest request{++number_, look, time_s, frame, nullptr, "", ""};
+    LoadRequest request{++number_, false, look, time_s, frame, nullptr, "", ""};
     if (shown != nullptr && shown->request.look.input.path == look.input.path) {
         request.shownTexts = shown->texts;
         request.shownPictures = shown->pictures;
@@ -56,6 +56,19 @@ long Reloader::ask(const Look& look, double time_s, const PlainFrame& frame, con
     askedAt_ = std::chrono::steady_clock::now();
     loader_.request(std::move(request));
     return number_;
+}
+
+void Reloader::measureLost(const Look& look, double time_s, const Loaded& shown)
+{
+    LoadRequest request{number_, true, look, time_s, {}, shown.scene->scene, "", ""};
+    request.look.view = DataView::lost;
+    loader_.request(std::move(request));
+}
+
+void Reloader::tryPrograms(long number, const Loaded& loaded, bool toMeasure)
+{
+    measuring_ = toMeasure;
+    trier_.start(number, loaded.trials, device_.drawLimit_s);
 }
 
 bool Reloader::filesChanged()
@@ -95,6 +108,11 @@ std::optional<ReloadOutcome> Reloader::step(const Loaded* shown)
 std::optional<ReloadOutcome> Reloader::heard(LoadOutcome heard, const Loaded* shown)
 {
     const LoadRequest& request = heard.request;
+    if (request.measuresLost) {
+        if (heard.loaded && !trier_.isBusy() && request.number == number_)
+            tryPrograms(request.number, *heard.loaded, true);
+        return std::nullopt;
+    }
     watch(heard.files, shown);
     // A save between the reading of a file and its first watch.
     if (!heard.stamp.empty() && stampOf(heard.files) != heard.stamp)
@@ -124,13 +142,20 @@ std::optional<ReloadOutcome> Reloader::heard(LoadOutcome heard, const Loaded* sh
     }
     const bool sameTexts = pending_ && pending_->texts == loaded.texts;
     if (!sameTexts || !trier_.isBusy())
-        trier_.start(request.number, loaded.trials, device_.drawLimit_s);
+        tryPrograms(request.number, loaded, false);
     pending_ = std::move(loaded);
     return std::nullopt;
 }
 
 std::optional<ReloadOutcome> Reloader::tried(const TrialReply& reply)
 {
+    if (measuring_) {
+        measuring_ = false;
+        ReloadOutcome measured;
+        if (reply.fault.empty() && !reply.outcomes.empty())
+            measured.lost = reply.outcomes.back().mean;
+        return measured.lost ? std::optional(measured) : std::nullopt;
+    }
     if (!pending_)
         return std::nullopt;
     ReloadOutcome outcome = outcomeOf(pending_->request);
@@ -140,13 +165,12 @@ std::optional<ReloadOutcome> Reloader::tried(const TrialReply& reply)
         // The check of loops may fail where the shader would not.
         leaveOutLoopCheck(*pending_->plain);
         pending_->trials = {trialOf(*pending_->plain, pending_->plainSettings)};
-        trier_.start(reply.number, pending_->trials, device_.drawLimit_s);
+        tryPrograms(reply.number, *pending_, false);
         return std::nullopt;
     }
     for (const auto& each : reply.outcomes) {
         outcome.compile_ms += each.compile_ms;
         outcome.firstDraw_ms += each.firstDraw_ms;
-        outcome.mean = each.mean;
     }
     if (!outcome.error)
         outcome.loaded = std::move(*pending_);

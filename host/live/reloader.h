@@ -17,10 +17,10 @@ struct ReloadOutcome {
     long number = 0; // of the request
     std::optional<Loaded> loaded;
     std::optional<Error> error;
-    double compile_ms = 0.0;   // by the helper; 0 where nothing was compiled
-    double firstDraw_ms = 0.0; // likewise
-    double waited_ms = 0.0;    // since the request
-    std::array<double, 4> mean{};
+    double compile_ms = 0.0;                   // by the helper; 0 where nothing was compiled
+    double firstDraw_ms = 0.0;                 // likewise
+    double waited_ms = 0.0;                    // since the request
+    std::optional<std::array<double, 4>> lost; // of measureLost(), alone
 };
 
 class Reloader
@@ -31,6 +31,10 @@ public:
 
     // Asks for a picture of what the files hold now. Gives the request's number.
     long ask(const Look& look, double time_s, const PlainFrame& frame, const Loaded* shown);
+
+    // Asks how much weight a small picture loses: by cut-off, pool and budget, each a share of 1. The next
+    // ask() drops it.
+    void measureLost(const Look& look, double time_s, const Loaded& shown);
 
     // Whether a file that feeds the picture has changed since the last call.
     bool filesChanged();
@@ -45,12 +49,13 @@ public:
     // Of the compiler, for as long as it works on what was asked for.
     double compilingFor_s() const
     {
-        return trier_.busyFor_s();
+        return measuring_ ? 0.0 : trier_.busyFor_s();
     }
 
 private:
     std::optional<ReloadOutcome> heard(LoadOutcome outcome, const Loaded* shown);
     std::optional<ReloadOutcome> tried(const TrialReply& reply);
+    void tryPrograms(long number, const Loaded& loaded, bool toMeasure);
     void watch(const std::vector<std::filesystem::path>& files, const Loaded* shown);
     ReloadOutcome outcomeOf(const LoadRequest& request) const;
 
@@ -60,6 +65,7 @@ private:
     Trier trier_;
     long number_ = 0;
     std::optional<Loaded> pending_; // its programs are being tried
+    bool measuring_ = false;        // the trial is one of measureLost()
     bool changedMeanwhile_ = false; // while a file was not watched yet
     std::chrono::steady_clock::time_point askedAt_;
 };

@@ -24,9 +24,17 @@ DeviceTraits traitsOf(const ContextInfo& context, double drawLimit_s)
     return {context.software, sharedVectorsOfContext(), drawLimit_s};
 }
 
-glm::ivec2 sizeOf(const LiveOptions& options)
+glm::ivec2 sizeOf(const LiveOptions& options, const std::optional<Remembered>& remembered)
 {
-    return options.width > 0 ? glm::ivec2(options.width, options.height) : glm::ivec2(1280, 720);
+    if (options.width > 0)
+        return {options.width, options.height};
+    return remembered && remembered->size_px.x > 0 && remembered->size_px.y > 0 ? remembered->size_px
+                                                                                : glm::ivec2(1280, 720);
+}
+
+std::optional<Remembered> recallFor(const LiveOptions& options)
+{
+    return options.forget ? std::nullopt : recall(findLiveInput(options.input).shownFile());
 }
 
 nlohmann::ordered_json placesOf(const Fault& fault)
@@ -44,8 +52,9 @@ nlohmann::ordered_json placesOf(const Fault& fault)
 } // namespace
 
 Session::Session(const LiveOptions& options)
-    : options_(options), model_(options), log_(options.json),
-      window_(sizeOf(options), "dioptre live: " + options.input), stage_(window_.context(), glslFolder()),
+    : options_(options), remembered_(recallFor(options)), model_(options), log_(options.json),
+      window_(sizeOf(options, remembered_), "dioptre live: " + options.input),
+      stage_(window_.context(), glslFolder()),
       reloader_(traitsOf(window_.context(), options.drawLimit_s), [] { Window::wake(); }), ui_(window_)
 {
     model_.look.places = searchPlaces(options.included);
@@ -54,12 +63,13 @@ Session::Session(const LiveOptions& options)
     model_.look.view = dataViewNamed(options.view);
     model_.look.size_px = window_.size_px();
     model_.given = options.overrides;
-    model_.showPanel = !options.hidePanel;
+    model_.showPanel = !options.hidePanel && (!remembered_ || remembered_->panel);
     openAgain(findLiveInput(options.input));
 }
 
 void Session::openAgain(const LiveInput& input)
 {
+    input_ = input;
     model_.look.input = input;
     if (!input.picture.empty()) {
         model_.look.channels = {input.picture + "?filter=nearest"};
@@ -73,11 +83,46 @@ void Session::openAgain(const LiveInput& input)
     ask();
 }
 
+Session::~Session()
+{
+    keep();
+}
+
+void Session::keep() const
+{
+    if (options_.forget || stage_.loaded() == nullptr)
+        return;
+    Remembered what{window_.isFullscreen() ? glm::ivec2(0) : model_.look.size_px, model_.showPanel, {}, {}};
+    if (stage_.loaded()->scene && model_.look.camera) {
+        what.hand = model_.look.camera;
+        what.own = stage_.loaded()->scene->atTime(0.0).camera;
+    }
+    try {
+        remember(input_.shownFile(), what);
+    } catch (const Error& error) {
+        std::fprintf(stderr, "dioptre: what is remembered of this input is lost: %s\n", error.what());
+    }
+}
+
+// A scene whose own camera was edited since begins there.
+void Session::recallHand()
+{
+    const auto remembered = std::exchange(remembered_, std::nullopt);
+    if (!remembered || !remembered->hand || !stage_.loaded()->scene)
+        return;
+    const Camera own = stage_.loaded()->scene->atTime(0.0).camera;
+    if (own.eye == remembered->own.eye && own.target == remembered->own.target &&
+        own.fovY_deg == remembered->own.fovY_deg)
+        setCamera(*remembered->hand);
+}
+
 // What was changed by hand belongs to what was open before.
 void Session::open(const std::filesystem::path& path)
 {
     try {
         const LiveInput input = findLiveInput(path.string());
+        keep();
+        remembered_ = options_.forget ? std::nullopt : recall(input.shownFile());
         model_.changes.clear();
         model_.given.clear();
         model_.look.values.clear();
@@ -124,6 +169,11 @@ void Session::dropFaultyChanges(const Error& error)
 
 void Session::apply(ReloadOutcome outcome)
 {
+    if (outcome.lost) {
+        model_.lost = *outcome.lost;
+        paints_ = std::max(paints_, 1);
+        return;
+    }
     if (outcome.error)
         return dropFaultyChanges(*outcome.error);
     Stopwatch watch;
@@ -146,6 +196,10 @@ void Session::apply(ReloadOutcome outcome)
     if (model_.restartOnReload && !first)
         model_.clock.restart();
     ++picturesTaken_;
+    takenAt_ = Clock::now();
+    lostMeasured_ = false;
+    if (remembered_)
+        recallHand();
     moved_ = true; // the window may be of another size by now
     wasDone_ = false;
     paints_ = 3;

@@ -3,6 +3,7 @@
 
 #include "live/event_log.h"
 #include "live/live_input.h"
+#include "live/memory.h"
 #include "live/reloader.h"
 #include "live/stage.h"
 #include "live/ui.h"
@@ -20,6 +21,9 @@ public:
     // Opens the window and asks for the first picture. Throws noOpenGl, and inputMissing for an input that is
     // not there.
     explicit Session(const LiveOptions& options);
+    ~Session(); // keeps what is to be remembered
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
 
     // Waits for something to do, does it, and shows what is new. False once the window is closed.
     bool turn();
@@ -58,6 +62,8 @@ public:
 
 private:
     void open(const std::filesystem::path& path);
+    void recallHand(); // where the camera was left
+    void keep() const;
     void openAgain(const LiveInput& input);
     void ask();
     void apply(ReloadOutcome outcome);
@@ -93,6 +99,8 @@ private:
     void grant(const UiWishes& wishes);
 
     LiveOptions options_;
+    std::optional<Remembered> remembered_; // of the input, until its first picture is there
+    LiveInput input_;
     LiveModel model_;
     EventLog log_;
     Window window_;
@@ -105,6 +113,8 @@ private:
     LiveClock::Clock::time_point lastTurn_ = LiveClock::Clock::now();
     LiveClock::Clock::time_point noticedAt_;
     LiveClock::Clock::time_point lookedAt_; // when the camera was last asked after by the loader
+    LiveClock::Clock::time_point takenAt_;  // when the last reload reached the device
+    bool lostMeasured_ = false;             // of what is shown
     long framesShown_ = 0;
     long picturesTaken_ = 0; // reloads that have reached the device
     long picturesShown_ = 0;

@@ -15,6 +15,7 @@ constexpr double frame_s = 1.0 / 60.0;
 constexpr double drawBudget_ms = 25.0; // between two looks at the keys
 constexpr double notice_s = 4.0;
 constexpr double look_s = 0.15; // between two looks at the plan while the camera moves
+constexpr double lost_s = 1.0;  // from a reload to the measuring of lost weight
 constexpr std::size_t framesKept = 120;
 
 double since_s(Clock::time_point then)
@@ -63,6 +64,13 @@ void Session::follow()
     }
     if (stage_.loaded() == nullptr)
         return;
+    // Once the user looks on: an edit that comes meanwhile would have to wait for a new helper.
+    if (model_.showPanel && wasDone_ && !lostMeasured_ && !reloader_.isBusy() && since_s(takenAt_) > lost_s) {
+        lostMeasured_ = true;
+        if (stage_.loaded()->scene && stage_.loaded()->scene->prepared.plan.tree != RayTree::single &&
+            model_.look.view == DataView::none)
+            reloader_.measureLost(wanted(model_), model_.clock.time_s(), *stage_.loaded());
+    }
     // Features that another place needs are found by planning anew, beside the picture.
     if (looksElsewhere_ && since_s(lookedAt_) > look_s && !reloader_.isBusy()) {
         looksElsewhere_ = false;

@@ -91,15 +91,15 @@ void Window::listen()
                                          .down = action == GLFW_PRESS,
                                          .shift = (modifiers & GLFW_MOD_SHIFT) != 0,
                                          .control = (modifiers & GLFW_MOD_CONTROL) != 0,
-                                         .at_px = owner(window).pointer_px()});
+                                         .at_px = owner(window).pointer_px_});
     });
     glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
-        owner(window).events_.push_back(
-            {.kind = InputEvent::Kind::move, .at_px = owner(window).pixelAt(x, y)});
+        owner(window).pointer_px_ = owner(window).pixelAt(x, y);
+        owner(window).events_.push_back({.kind = InputEvent::Kind::move, .at_px = owner(window).pointer_px_});
     });
     glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double notches) {
         owner(window).events_.push_back(
-            {.kind = InputEvent::Kind::scroll, .at_px = owner(window).pointer_px(), .scroll = notches});
+            {.kind = InputEvent::Kind::scroll, .at_px = owner(window).pointer_px_, .scroll = notches});
     });
     glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
         owner(window).events_.push_back({.kind = InputEvent::Kind::drop, .files = {paths, paths + count}});
@@ -125,13 +125,6 @@ glm::dvec2 Window::pixelAt(double x, double y) const
     if (width == 0 || height == 0)
         return glm::dvec2(0.0);
     return {(x + 0.5) * pixels.x / width, pixels.y - (y + 0.5) * pixels.y / height};
-}
-
-glm::dvec2 Window::pointer_px() const
-{
-    glm::dvec2 at{0.0};
-    glfwGetCursorPos(window_, &at.x, &at.y);
-    return pixelAt(at.x, at.y);
 }
 
 bool Window::isClosing() const

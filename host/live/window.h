@@ -79,11 +79,11 @@ private:
     };
     void listen();
     glm::dvec2 pixelAt(double x, double y) const;
-    glm::dvec2 pointer_px() const;
 
     GLFWwindow* window_ = nullptr;
     ContextInfo context_;
     std::vector<InputEvent> events_;
+    glm::dvec2 pointer_px_{0.0}; // by its last move: the server would tell where it is by now
     bool damaged_ = true;
     Place beforeFullscreen_;
 };
