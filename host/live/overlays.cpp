@@ -4,9 +4,12 @@
 #include "live/keys.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace dioptre
 {
@@ -68,6 +71,22 @@ void drawPlace(const FaultPlace& place, ImFont* code)
     ImGui::Spacing();
 }
 
+// All keys that do what a binding does, each once; "" where an earlier one has told of them.
+std::string keysOf(std::span<const KeyBinding> bindings, std::size_t index)
+{
+    const Action action = bindings[index].action;
+    std::vector<std::string> keys;
+    for (std::size_t i = 0; i < bindings.size(); ++i) {
+        if (bindings[i].action != action)
+            continue;
+        if (i < index)
+            return "";
+        if (std::ranges::find(keys, bindings[i].keys) == keys.end())
+            keys.emplace_back(bindings[i].keys);
+    }
+    return fmt::format("{}", fmt::join(keys, "  "));
+}
+
 // The middle of what the panel leaves of the window.
 float middle_px(float left_px)
 {
@@ -123,12 +142,10 @@ void drawHelp()
         ImGui::SameLine(11.0F * ImGui::GetFontSize());
         ImGui::TextUnformatted(right);
     };
-    const char* last = "";
-    for (const auto& binding : keyBindings()) {
-        if (binding.keys != std::string_view(last))
-            row(binding.keys, binding.meaning);
-        last = binding.keys;
-    }
+    const auto bindings = keyBindings();
+    for (std::size_t i = 0; i < bindings.size(); ++i)
+        if (const std::string keys = keysOf(bindings, i); !keys.empty())
+            row(keys.c_str(), bindings[i].meaning);
     ImGui::Separator();
     for (const auto& each : gestures())
         row(each.gesture, each.meaning);

@@ -33,13 +33,14 @@ void drawButton(const char* label, const char* hint, Action action, UiWishes& wi
     drawHint(hint);
 }
 
-void drawButtons(UiWishes& wishes)
+void drawButtons(bool isScene, UiWishes& wishes)
 {
     drawButton("write", "write changed values into the file (Ctrl+S)", Action::writeBack, wishes, true);
     drawButton("drop all", "drop all changed values (Ctrl+Z)", Action::discard, wishes);
-    drawButton("camera", "the scene's own camera again (R)", Action::resetCamera, wishes);
+    drawButton("camera", "its own own camera again (R)", Action::resetCamera, wishes);
     drawButton("shot", "write a screenshot (P)", Action::screenshot, wishes);
-    drawButton("view", "the next view: light, rays, lost, object, ... (V)", Action::view, wishes);
+    if (isScene)
+        drawButton("view", "the next view: light, rays, lost, object, ... (V)", Action::view, wishes);
     drawButton("keys", "keys and mouse (F1)", Action::help, wishes);
 }
 
@@ -98,7 +99,7 @@ void drawContent(const LiveModel& model, const UiFacts& facts, PanelState& state
     drawState(model, facts);
     if (facts.stage.loaded() == nullptr)
         return;
-    drawButtons(wishes);
+    drawButtons(facts.stage.loaded()->scene.has_value(), wishes);
     if (facts.stage.facts().usesTime)
         drawTime(model, wishes);
     drawSamples(model, facts, wishes);

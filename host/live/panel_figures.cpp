@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <charconv>
 #include <vector>
 
 namespace dioptre
@@ -17,6 +18,7 @@ namespace
 const ImVec4 alarmText(1.0F, 0.4F, 0.35F, 1.0F);
 const ImVec4 busyText(0.55F, 0.8F, 1.0F, 1.0F);
 constexpr double longCompile_s = 0.2;
+constexpr std::size_t mostLegendLines = 12; // at once
 
 std::string milliseconds(double ms)
 {
@@ -93,13 +95,37 @@ void drawPlan(const Plan& plan)
     }
 }
 
+// "#rrggbb  what it means" with the colour itself, and other lines as they are.
+void drawLegendLine(const std::string& line)
+{
+    constexpr std::size_t digits = 7; // with the "#"
+    unsigned rgb = 0;
+    const bool coloured =
+        line.size() > digits && line.front() == '#' &&
+        std::from_chars(line.data() + 1, line.data() + digits, rgb, 16).ptr == line.data() + digits;
+    if (!coloured)
+        return ImGui::TextWrapped("%s", line.c_str());
+    const float side_px = ImGui::GetTextLineHeight();
+    const auto channel = [&](unsigned shift) { return static_cast<float>((rgb >> shift) & 0xFFU) / 255.0F; };
+    ImGui::ColorButton(line.c_str(), {channel(16), channel(8), channel(0), 1.0F},
+                       ImGuiColorEditFlags_NoTooltip, {side_px, side_px});
+    ImGui::SameLine();
+    ImGui::TextUnformatted(line.c_str() + digits);
+}
+
 } // namespace
 
 void drawState(const LiveModel& model, const UiFacts& facts)
 {
+    const Loaded* const loaded = facts.stage.loaded();
+    if (loaded != nullptr && loaded->scene && !loaded->scene->scene->title.empty()) {
+        const std::string& title = loaded->scene->scene->title;
+        ImGui::TextDisabled("%s", elided(title, ImGui::GetContentRegionAvail().x).c_str());
+        drawHint(title);
+    }
     if (facts.compilingFor_s > longCompile_s)
         ImGui::TextColored(busyText, "compiling\u2026 %.1f s", facts.compilingFor_s);
-    else if (facts.stage.loaded() == nullptr)
+    else if (loaded == nullptr)
         ImGui::TextDisabled("%s", model.fault ? "no picture yet" : "loading\u2026");
 }
 
@@ -111,8 +137,14 @@ void drawLegend(const UiFacts& facts)
     drawFact("view", std::string(rowOf(loaded.view.view).name));
     if (!facts.stage.facts().legend)
         return;
-    for (const std::string& line : facts.stage.facts().legend->lines)
-        ImGui::TextWrapped("%s", line.c_str());
+    const auto& lines = facts.stage.facts().legend->lines;
+    const bool scrolls = lines.size() > mostLegendLines;
+    if (scrolls)
+        ImGui::BeginChild("legend", {0.0F, mostLegendLines * ImGui::GetTextLineHeightWithSpacing()});
+    for (const std::string& line : lines)
+        drawLegendLine(line);
+    if (scrolls)
+        ImGui::EndChild();
 }
 
 void drawFigures(const LiveModel& model, const UiFacts& facts)

@@ -285,4 +285,13 @@ Display withOutput(Display display, const PanelRow& row, const std::vector<doubl
     return display;
 }
 
+std::vector<std::string> overridesOf(const Display& display)
+{
+    std::vector<std::string> overrides;
+    for (const PanelRow& row : outputRows(display)) // a power is in two rows
+        if (row.path != "output.gamma" || (row.kind == RowKind::number) == display.gamma.has_value())
+            overrides.push_back(row.path + "=" + tomlOf(row, row.numbers));
+    return overrides;
+}
+
 } // namespace dioptre

@@ -23,4 +23,7 @@ std::vector<PanelRow> outputRows(const Display& display);
 // The display with the value of one of its rows.
 Display withOutput(Display display, const PanelRow& row, const std::vector<double>& numbers);
 
+// The display as --set takes it.
+std::vector<std::string> overridesOf(const Display& display);
+
 } // namespace dioptre

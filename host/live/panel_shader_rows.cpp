@@ -8,6 +8,9 @@ namespace dioptre
 namespace
 {
 
+// The file of lines that the assembler wrote.
+constexpr std::string_view generated = "generated";
+
 // Keys, mouse and time move these.
 bool isFedByHost(const std::string& name)
 {
@@ -57,7 +60,8 @@ std::vector<PanelRow> shaderRows(const std::vector<Annotation>& annotations,
     std::vector<PanelRow> rows;
     for (const Annotation& annotation : annotations) {
         const std::string& name = annotation.name;
-        if (std::ranges::find(active, name) == active.end() || isFedByHost(name))
+        const bool isAuthors = annotation.where.path != generated;
+        if (!isAuthors || std::ranges::find(active, name) == active.end() || isFedByHost(name))
             continue;
         const auto slider = sliders.find(name);
         PanelRow row;

@@ -20,10 +20,11 @@ namespace
 constexpr float fontSize_px = 15.0F;
 
 // What titles, names and drivers' messages are likely to hold.
-constexpr std::array<ImWchar, 15> letters{0x0020, 0x024F, // Latin
+constexpr std::array<ImWchar, 17> letters{0x0020, 0x024F, // Latin
                                           0x0370, 0x052F, // Greek, Cyrillic
                                           0x2010, 0x2044, // punctuation
                                           0x2070, 0x209F, // raised and lowered
+                                          0x20A0, 0x20BF, // money
                                           0x2190, 0x22FF, // arrows, mathematics
                                           0x25A0, 0x25FF, // shapes
                                           0xFFFD, 0xFFFD, 0};
@@ -94,7 +95,8 @@ UiWishes Ui::draw(const LiveModel& model, const UiFacts& facts)
     if (model.showPanel)
         left_px = drawPanel(model, facts, bottom_px, panel_, wishes);
     if (model.fault) {
-        drawStaleMark(left_px);
+        if (facts.stage.loaded() != nullptr)
+            drawStaleMark(left_px);
         drawFault(*model.fault, code_);
     }
     if (model.showHelp)
