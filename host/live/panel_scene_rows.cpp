@@ -1,5 +1,6 @@
 #include "live/panel_scene_rows.h"
 
+#include "live/panel_words.h"
 #include "scene/choices.h"
 
 #include <fmt/format.h>
@@ -14,28 +15,11 @@ namespace
 
 constexpr double mostLight = 1000.0; // radiance of a white wall
 constexpr double farthest_m = 1000.0;
+constexpr int mostDepth = 64; // as good as none
 
 std::vector<double> numbersOf(const glm::dvec3& v)
 {
     return {v.x, v.y, v.z};
-}
-
-template <class Table>
-std::vector<RowWord> wordsOf(const Table& table)
-{
-    std::vector<RowWord> words;
-    for (const auto& row : table)
-        words.push_back({fmt::format("\"{}\"", row.name), std::string(row.name)});
-    return words;
-}
-
-template <class Table, class Choice>
-double placeIn(const Table& table, Choice choice)
-{
-    for (std::size_t i = 0; i < table.size(); ++i)
-        if (table[i].choice == choice)
-            return static_cast<double>(i);
-    return 0.0;
 }
 
 void addLightColour(std::vector<PanelRow>& rows, const char* key, const glm::dvec3& colour)
@@ -93,61 +77,59 @@ void addCone(std::vector<PanelRow>& rows, const Light& light)
                     .meaning = "the light falls off as the cosine to this power"});
 }
 
-void addTrace(std::vector<PanelRow>& rows, const Trace& trace, int budget)
+void addLimits(std::vector<PanelRow>& rows, const Trace& trace, int budget)
 {
-    const char* const group = "Trace";
-    rows.push_back({group,
-                    "",
-                    "trace.budget",
-                    "budget",
-                    RowKind::integer,
-                    {static_cast<double>(trace.budget.value_or(budget))},
-                    1.0,
-                    4096.0,
-                    true});
-    rows.back().meaning = "most rays a sample, the eye ray included";
-    rows.push_back({group,
-                    "",
-                    "trace.depth",
-                    "depth",
-                    RowKind::integer,
-                    {static_cast<double>(trace.depth.value_or(64))},
-                    0.0,
-                    64.0});
-    rows.back().high = std::max(64.0, rows.back().numbers.front());
-    rows.back().unset = trace.depth ? "" : "no limit";
-    rows.back().meaning = "most bounces of a path";
-    rows.push_back({group, "", "trace.cut_off", "cut-off", RowKind::number, {trace.cutOff}, 0.0, 0.5, true});
-    rows.back().meaning = "a ray that weighs less is not traced";
-    rows.push_back({group,
-                    "",
-                    "trace.order",
-                    "order",
-                    RowKind::choice,
-                    {placeIn(treeOrders, trace.order)},
-                    0.0,
-                    static_cast<double>(treeOrders.size() - 1)});
-    rows.back().words = wordsOf(treeOrders);
-    rows.back().meaning = "of the ray tree; another compiles the shader anew";
-    rows.push_back({group,
-                    "",
-                    "trace.form",
-                    "form",
-                    RowKind::choice,
-                    {placeIn(sceneForms, trace.form)},
-                    0.0,
-                    static_cast<double>(sceneForms.size() - 1)});
-    rows.back().words = wordsOf(sceneForms);
-    rows.back().meaning = "of the scene in the shader; another compiles it anew";
-    rows.push_back({group,
-                    "",
-                    "trace.light_type",
-                    "light type",
-                    RowKind::choice,
-                    {static_cast<double>(trace.lightType)},
-                    0.0,
-                    2.0});
-    rows.back().words = {{"0", "unlit"}, {"1", "lit"}, {"2", "lights only"}};
+    rows.push_back({.path = "trace.budget",
+                    .label = "budget",
+                    .kind = RowKind::integer,
+                    .numbers = {static_cast<double>(trace.budget.value_or(budget))},
+                    .low = 1.0,
+                    .high = 4096.0,
+                    .logarithmic = true,
+                    .meaning = "most rays a sample, the eye ray included"});
+    rows.push_back({.path = "trace.depth",
+                    .label = "depth",
+                    .kind = RowKind::integer,
+                    .numbers = {static_cast<double>(trace.depth.value_or(mostDepth))},
+                    .high = mostDepth,
+                    .unset = trace.depth ? "" : "no limit",
+                    .meaning = "most bounces of a path"});
+    rows.push_back({.path = "trace.cut_off",
+                    .label = "cut-off",
+                    .numbers = {trace.cutOff},
+                    .high = 0.5,
+                    .logarithmic = true,
+                    .meaning = "a ray that weighs less is not traced"});
+}
+
+void addWays(std::vector<PanelRow>& rows, const Trace& trace)
+{
+    const auto choice = [&rows](const char* key, const char* label, double place, std::vector<RowWord> words,
+                                const char* meaning) {
+        rows.push_back({.path = fmt::format("trace.{}", key),
+                        .label = label,
+                        .kind = RowKind::choice,
+                        .numbers = {place},
+                        .high = static_cast<double>(words.size() - 1),
+                        .words = std::move(words),
+                        .meaning = meaning});
+    };
+    choice("order", "order", placeIn(treeOrders, trace.order), wordsOf(treeOrders),
+           "of the ray tree; another compiles the shader anew");
+    choice("form", "form", placeIn(sceneForms, trace.form), wordsOf(sceneForms),
+           "of the scene in the shader; another compiles it anew");
+    choice("light_type", "light type", static_cast<double>(trace.lightType),
+           {{"0", "unlit"}, {"1", "lit"}, {"2", "lights only"}}, "");
+}
+
+std::vector<PanelRow> traceRows(const Trace& trace, int budget)
+{
+    std::vector<PanelRow> rows;
+    addLimits(rows, trace, budget);
+    addWays(rows, trace);
+    for (PanelRow& row : rows)
+        row.group = "Trace";
+    return rows;
 }
 
 void addSky(std::vector<PanelRow>& rows, const Sky& sky, bool hasEffect)
@@ -231,7 +213,7 @@ std::vector<PanelRow> sceneRows(const Scene& scene, int budget)
         append(lightRows(scene, i));
     for (std::size_t i = 0; i < scene.materials.size(); ++i)
         append(materialRows(scene, i));
-    addTrace(rows, scene.trace, budget);
+    append(traceRows(scene.trace, budget));
     addSky(rows, scene.sky, scene.trace.lightType != LightType::lightsOnly);
     for (PanelRow& row : rows) {
         widen(row);
@@ -239,59 +221,6 @@ std::vector<PanelRow> sceneRows(const Scene& scene, int budget)
             row.fixedBy = "animated";
     }
     return rows;
-}
-
-std::vector<PanelRow> outputRows(const Display& display)
-{
-    std::vector<PanelRow> rows;
-    rows.push_back({"Output",
-                    "",
-                    "output.exposure",
-                    "exposure, stops",
-                    RowKind::number,
-                    {display.exposure},
-                    -10.0,
-                    10.0});
-    rows.push_back({"Output",
-                    "",
-                    "output.curve",
-                    "curve",
-                    RowKind::choice,
-                    {placeIn(toneCurves, display.curve)},
-                    0.0,
-                    static_cast<double>(toneCurves.size() - 1)});
-    rows.back().words = wordsOf(toneCurves);
-    rows.push_back({"Output", "", "output.gamma", "transfer", RowKind::choice, {display.gamma ? 1.0 : 0.0}});
-    rows.back().words = {{"\"srgb\"", "sRGB"}, {fmt::format("{}", display.gamma.value_or(2.2)), "a power"}};
-    if (display.gamma)
-        rows.push_back(
-            {"Output", "", "output.gamma", "gamma", RowKind::number, {*display.gamma}, 0.1, 10.0, true});
-    widen(rows.front());
-    return rows;
-}
-
-Display withOutput(Display display, const PanelRow& row, const std::vector<double>& numbers)
-{
-    if (row.path == "output.exposure")
-        display.exposure = numbers.front();
-    else if (row.path == "output.curve")
-        display.curve = toneCurves.at(static_cast<std::size_t>(numbers.front())).choice;
-    else if (row.kind == RowKind::number)
-        display.gamma = numbers.front();
-    else if (numbers.front() == 0.0)
-        display.gamma.reset();
-    else
-        display.gamma = display.gamma.value_or(2.2);
-    return display;
-}
-
-std::vector<std::string> overridesOf(const Display& display)
-{
-    std::vector<std::string> overrides;
-    for (const PanelRow& row : outputRows(display)) // a power is in two rows
-        if (row.path != "output.gamma" || (row.kind == RowKind::number) == display.gamma.has_value())
-            overrides.push_back(row.path + "=" + tomlOf(row, row.numbers));
-    return overrides;
 }
 
 } // namespace dioptre

@@ -11,19 +11,11 @@ namespace dioptre
 // material whose name no path can hold has no rows.
 std::vector<PanelRow> sceneRows(const Scene& scene, int budget);
 
+// Parts of it, before their ranges are widened to what the scene holds and what is animated is fixed.
 std::vector<PanelRow> materialRows(const Scene& scene, std::size_t material);
 std::vector<PanelRow> lightRows(const Scene& scene, std::size_t light);
 
 // Whether [[animate]] changes what a path leads to, or a part of it.
 bool isAnimated(const Scene& scene, std::string_view path);
-
-// How the picture is shown.
-std::vector<PanelRow> outputRows(const Display& display);
-
-// The display with the value of one of its rows.
-Display withOutput(Display display, const PanelRow& row, const std::vector<double>& numbers);
-
-// The display as --set takes it.
-std::vector<std::string> overridesOf(const Display& display);
 
 } // namespace dioptre

@@ -1,5 +1,6 @@
 #include "live/panel_values.h"
 
+#include "live/panel_output_rows.h"
 #include "live/panel_scene_rows.h"
 #include "live/panel_shader_rows.h"
 #include "live/panel_widgets.h"
@@ -92,26 +93,18 @@ void drawOutput(const LiveModel& model, const LoadedScene& loaded, UiWishes& wis
 {
     const Display& own = loaded.scene->output;
     const Display display = model.display.value_or(own);
-    const std::vector<PanelRow> rows = outputRows(display);
-    const auto changed = [&](const PanelRow& row) {
-        return row.path == "output.exposure" ? display.exposure != own.exposure
-               : row.path == "output.curve"  ? display.curve != own.curve
-                                             : display.gamma != own.gamma;
-    };
+    std::vector<PanelRow> rows = outputRows(display);
+    for (PanelRow& row : rows)
+        row.hasEffect = model.look.view == DataView::none;
+    const auto changed = [&](const PanelRow& row) { return differs(display, own, row); };
     drawRows(rows, changed, [&](const PanelRow& row) {
         const RowDeed deed = drawRow(row, changed(row));
         if (deed.numbers && *deed.numbers != row.numbers)
             wishes.display = withOutput(display, row, *deed.numbers);
         if (!deed.putBack)
             return;
-        Display back = display;
-        if (row.path == "output.exposure")
-            back.exposure = own.exposure;
-        else if (row.path == "output.curve")
-            back.curve = own.curve;
-        else
-            back.gamma = own.gamma;
-        wishes.display = back;
+        const Display back = withOutputOf(own, row, display);
+        wishes.display = overridesOf(back, own).empty() ? std::nullopt : std::optional(back);
     });
 }
 

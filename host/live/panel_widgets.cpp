@@ -129,7 +129,8 @@ RowDeed drawRow(const PanelRow& row, bool isChanged)
     ImGui::SameLine(labelColumn_px());
     const float back_px = ImGui::GetFrameHeight();
     const float gap_px = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float width_px = ImGui::GetContentRegionAvail().x - (isChanged ? back_px + gap_px : 0.0F);
+    // Room for it at all times: a slider that grew narrower would slip under the hand.
+    const float width_px = ImGui::GetContentRegionAvail().x - back_px - gap_px;
     std::vector<double> numbers = row.numbers;
     if (!row.fixedBy.empty())
         ImGui::TextDisabled("%s", row.fixedBy.c_str());

@@ -1,5 +1,5 @@
 #include "live/camera_control.h"
-#include "live/panel_scene_rows.h"
+#include "live/panel_output_rows.h"
 #include "live/session.h"
 
 #include "base/child_process.h"
@@ -112,7 +112,7 @@ void Session::writeBack()
                 for (const auto& value : overridesOf(*look.camera))
                     values.push_back(value);
             if (model_.display)
-                for (const auto& value : overridesOf(*model_.display))
+                for (const auto& value : overridesOf(*model_.display, stage_.loaded()->scene->scene->output))
                     values.push_back(value);
             if (values.empty())
                 return notice("nothing was changed");

@@ -1,6 +1,7 @@
 // What the panel offers: the loader takes it, and it is there when it is asked for again.
 #include "base/error.h"
 #include "base/file.h"
+#include "live/panel_output_rows.h"
 #include "live/panel_scene_rows.h"
 #include "scene/load.h"
 #include "support/rendering.h"
@@ -240,13 +241,15 @@ TEST(PanelRows, Output_ChangedRowByRow_IsTheDisplayThatTheFileWouldGive)
 
 TEST(PanelRows, DisplayAsOverrides_ReadBack_IsTheSame)
 {
-    const auto scene = written("[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n");
-    for (const Display& display : {Display{}, Display{-1.5, ToneCurve::filmic, 2.2}}) {
-        const Display read = scene.with(overridesOf(display)).output;
+    const auto scene = written("[output]\nexposure = 2\ngamma = 1.8\n");
+    const Display own = scene.with().output;
+    for (const Display& display : {own, Display{}, Display{-1.5, ToneCurve::filmic, 2.2}}) {
+        const Display read = scene.with(overridesOf(display, own)).output;
         EXPECT_EQ(read.exposure, display.exposure);
         EXPECT_EQ(read.curve, display.curve);
         EXPECT_EQ(read.gamma, display.gamma);
     }
+    EXPECT_TRUE(overridesOf(own, own).empty());
 }
 
 TEST(PanelRows, Paths_OverlapBySteps_NotByLetters)
