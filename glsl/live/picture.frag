@@ -1,6 +1,6 @@
 // A picture as large as the window lets it be, in its own proportions.
 
-uniform bool u_encode; // false [0, 1] the picture is linear radiance, to be encoded as sRGB
+uniform bool u_encode; // false the picture is linear radiance, to be encoded as sRGB
 
 vec3 srgbFromLinear(vec3 linear)
 {

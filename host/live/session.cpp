@@ -182,6 +182,7 @@ void Session::apply(ReloadOutcome outcome)
     const bool first = stage_.loaded() == nullptr;
     try {
         stage_.take(std::move(*outcome.loaded));
+        stage_.setDisplay(model_.display); // another file's, or one that is written by now, holds no more
     } catch (const Error& error) {
         return fail(error);
     }

@@ -311,6 +311,8 @@ void Session::act(Action action)
     case Action::discard:
         model_.changes.clear();
         model_.frame.live.sliders.clear();
+        model_.display.reset();
+        stage_.setDisplay(std::nullopt);
         ask();
         break;
     }

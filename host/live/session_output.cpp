@@ -1,4 +1,5 @@
 #include "live/camera_control.h"
+#include "live/panel_output_rows.h"
 #include "live/session.h"
 
 #include "base/child_process.h"
@@ -110,10 +111,14 @@ void Session::writeBack()
             if (look.camera)
                 for (const auto& value : overridesOf(*look.camera))
                     values.push_back(value);
+            if (model_.display)
+                for (const auto& value : overridesOf(*model_.display, stage_.loaded()->scene->scene->output))
+                    values.push_back(value);
             if (values.empty())
                 return notice("nothing was changed");
             writeFile(path, withValues(readFile(path), path.string(), values));
             model_.changes.clear();
+            model_.display.reset();
             model_.look.camera.reset();
         }
         notice("wrote " + path.filename().string());

@@ -130,10 +130,16 @@ void Session::paint()
 
 void Session::grant(const UiWishes& wishes)
 {
+    for (const auto& path : wishes.dropped) {
+        model_.changes.erase(path);
+        model_.frame.live.sliders.erase(path);
+    }
     for (const auto& [path, value] : wishes.changes)
         model_.changes[path] = value;
-    if (!wishes.changes.empty())
+    if (!wishes.changes.empty() || !wishes.dropped.empty())
         ask();
+    if (wishes.camera)
+        setCamera(*wishes.camera);
     for (const auto& [name, numbers] : wishes.sliders)
         model_.frame.live.sliders[name] = numbers;
     moved_ = moved_ || !wishes.sliders.empty();

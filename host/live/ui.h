@@ -1,32 +1,14 @@
 // The panel, messages and help over the picture, by Dear ImGui.
 #pragma once
 
-#include "live/keys.h"
-#include "live/model.h"
-#include "live/stage.h"
+#include "live/panel.h"
+#include "live/ui_facts.h"
 #include "live/window.h"
 
-#include <deque>
+struct ImFont;
 
 namespace dioptre
 {
-
-// What a user did in the panel.
-struct UiWishes {
-    std::map<std::string, std::string> changes;         // of a scene, path to value
-    std::map<std::string, std::vector<double>> sliders; // of a plain shader
-    std::optional<std::optional<Display>> display;      // another one
-    std::optional<double> time_s;                       // scrubbed to
-    std::vector<Action> actions;
-};
-
-// What is shown beside the model.
-struct UiFacts {
-    const Stage& stage;
-    const std::deque<float>& frames_ms; // between the last frames
-    double compilingFor_s = 0.0;        // 0 where nothing is
-    const ContextInfo& context;
-};
 
 class Ui
 {
@@ -42,6 +24,10 @@ public:
     // Whether the pointer or the keys are the panel's.
     bool wantsPointer() const;
     bool wantsKeys() const;
+
+private:
+    PanelState panel_;
+    ImFont* code_ = nullptr; // of one width, for sources
 };
 
 } // namespace dioptre
