@@ -120,6 +120,10 @@ void loadShader(Loaded& loaded, const DeviceTraits& device)
         for (const auto& file : channel.files)
             loaded.pictures += fingerprintOf(file);
     loaded.plain = loadPlain(request.look.input.path, loaded.view, settings, device.software);
+    loaded.sliders = sliderStarts(loaded.plain->text.text);
+    for (const auto& [name, value] : settings.values)
+        loaded.sliders.erase(name);
+    settings.frame.live.sliders.insert(loaded.sliders.begin(), loaded.sliders.end());
     loaded.texts = flatten(loaded.plain->text.text);
     for (const auto kind : loaded.plain->form.channels)
         loaded.texts += kind == ChannelKind::cube ? "c" : "p";

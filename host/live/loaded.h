@@ -54,6 +54,7 @@ struct Loaded {
     ViewSettings view;
     std::optional<LoadedScene> scene;
     std::optional<LoadedPlain> plain;
+    HostNumbers sliders;                      // of a plain shader, where nobody has moved them
     PlainSettings plainSettings;              // of a plain shader
     std::vector<ProgramTrial> trials;         // of what would have to be compiled
     std::string texts;                        // of all shaders: equal ones need no compiler

@@ -3,9 +3,36 @@
 namespace dioptre
 {
 
+std::vector<double> sliderOf(const LiveModel& model, const Loaded& loaded, const std::string& name,
+                             const std::vector<double>& none)
+{
+    const LiveValues& live = model.frame.live;
+    if (name == "u_light_type" && live.lightType)
+        return {static_cast<double>(*live.lightType)};
+    if (name == "u_light_height" && live.lightHeight_m)
+        return {*live.lightHeight_m};
+    for (const HostNumbers* numbers : {&live.sliders, &loaded.sliders})
+        if (const auto found = numbers->find(name);
+            found != numbers->end() && found->second.size() == none.size())
+            return found->second;
+    return none;
+}
+
 Camera cameraOf(const LiveModel& model, const Loaded& loaded)
 {
-    return model.look.camera ? *model.look.camera : loaded.scene->atTime(model.clock.time_s()).camera;
+    if (loaded.scene)
+        return model.look.camera ? *model.look.camera : loaded.scene->atTime(model.clock.time_s()).camera;
+    if (model.frame.live.camera)
+        return *model.frame.live.camera;
+    Camera camera;
+    const auto vector = [&](const char* name, const glm::dvec3& none) {
+        const auto numbers = sliderOf(model, loaded, name, {none.x, none.y, none.z});
+        return glm::dvec3(numbers[0], numbers[1], numbers[2]);
+    };
+    camera.eye = vector("u_camera_position", camera.eye);
+    camera.target = vector("u_camera_target", camera.target);
+    camera.fovY_deg = sliderOf(model, loaded, "u_fov_y_deg", {camera.fovY_deg})[0];
+    return camera;
 }
 
 Look wanted(const LiveModel& model)

@@ -44,7 +44,11 @@ struct LiveModel {
     std::array<double, 4> lost{}; // by a small picture of the view: cut-off, pool, budget
 };
 
-// The scene's camera as it is seen now.
+// A plain shader's uniform as it is fed now; `none` where nothing feeds it.
+std::vector<double> sliderOf(const LiveModel& model, const Loaded& loaded, const std::string& name,
+                             const std::vector<double>& none);
+
+// The scene's camera as it is seen now, or that of a plain shader's uniforms.
 Camera cameraOf(const LiveModel& model, const Loaded& loaded);
 
 // The look with its changes as --set takes them.

@@ -39,7 +39,7 @@ void Session::handle(const InputEvent& event)
     case InputEvent::Kind::move:
         return handleMove(event);
     case InputEvent::Kind::scroll:
-        if (!ui_.wantsPointer() && stage_.loaded() != nullptr && stage_.loaded()->scene)
+        if (!ui_.wantsPointer() && stage_.loaded() != nullptr)
             setCamera(zoomed(cameraOf(model_, *stage_.loaded()), event.scroll));
         return;
     case InputEvent::Kind::drop:
@@ -82,8 +82,7 @@ void Session::handleMove(const InputEvent& event)
         return;
     const int height_px = model_.look.size_px.y;
     const double right = turnOf(by_px.x, height_px), up = turnOf(by_px.y, height_px);
-    const Camera camera = stage_.loaded()->scene ? cameraOf(model_, *stage_.loaded())
-                                                 : model_.frame.live.camera.value_or(Camera{});
+    const Camera camera = cameraOf(model_, *stage_.loaded());
     if (dragged_ == GLFW_MOUSE_BUTTON_RIGHT)
         setCamera(turned(camera, -0.5 * right, -0.5 * up));
     else if (dragged_ == GLFW_MOUSE_BUTTON_MIDDLE)
@@ -106,8 +105,7 @@ void Session::setCamera(const Camera& camera)
 
 void Session::fly(double elapsed_s)
 {
-    if (stage_.loaded() == nullptr || !stage_.loaded()->scene || ui_.wantsKeys() ||
-        window_.isHeld(GLFW_KEY_LEFT_CONTROL))
+    if (stage_.loaded() == nullptr || ui_.wantsKeys() || window_.isHeld(GLFW_KEY_LEFT_CONTROL))
         return;
     const auto axis = [this](int more, int less) {
         return (window_.isHeld(more) ? 1.0 : 0.0) - (window_.isHeld(less) ? 1.0 : 0.0);
@@ -149,7 +147,7 @@ void Session::nextLightType()
 {
     const Loaded& loaded = *stage_.loaded();
     if (loaded.plain) {
-        const int type = static_cast<int>(model_.frame.live.lightType.value_or(LightType::lit));
+        const int type = static_cast<int>(sliderOf(model_, loaded, "u_light_type", {1.0})[0]);
         model_.frame.live.lightType = static_cast<LightType>((type + 1) % 3);
         moved_ = true;
         return;
@@ -162,7 +160,7 @@ void Session::raiseLights(double metres)
 {
     const Loaded& loaded = *stage_.loaded();
     if (loaded.plain) {
-        model_.frame.live.lightHeight_m = model_.frame.live.lightHeight_m.value_or(3.0) + metres;
+        model_.frame.live.lightHeight_m = sliderOf(model_, loaded, "u_light_height", {3.0})[0] + metres;
         moved_ = true;
         return;
     }

@@ -83,7 +83,11 @@ void Session::follow()
     const bool begun = stage_.samplesDone() == 0 && !stage_.isDone() && stage_.isBegun();
     if ((moved_ || due) && !begun) {
         model_.frame.time_s = model_.clock.time_s();
-        stage_.moveTo(wanted(model_), model_.clock.time_s(), model_.frame);
+        try {
+            stage_.moveTo(wanted(model_), model_.clock.time_s(), model_.frame);
+        } catch (const Error& error) { // a mixture of good keys may be no good
+            fail(error);
+        }
         model_.frame.pointer.nextFrame();
         moved_ = false;
         wasDone_ = false;

@@ -121,8 +121,10 @@ void Stage::moveTo(const Look& look, double time_s, const PlainFrame& frame)
         prepared.parts = {wholePicture(prepared.plan, look.size_px.x, look.size_px.y)};
         scene_->update(prepared, loaded_->view);
     } else {
+        PlainFrame whole = frame;
+        whole.live.sliders.insert(loaded_->sliders.begin(), loaded_->sliders.end());
         plain_->update(look.size_px);
-        plain_->moveTo(frame);
+        plain_->moveTo(whole);
     }
     begin();
 }

@@ -109,17 +109,22 @@ HostNumbers liveNumbers(const LiveValues& live)
     return numbers;
 }
 
+const HostNumbers& atRest()
+{
+    static const HostNumbers numbers = liveNumbers(LiveValues{LightType::lit, 3.0, Camera{}, {}});
+    return numbers;
+}
+
 // What a uniform starts with that neither --set, nor the host, nor its declaration gives: the value in the
 // comment behind it, or that of a live host at rest. False where there is neither.
 bool setToOwnDefault(const HostUniform& open, const std::vector<Annotation>& annotations,
                      const std::filesystem::path& shader)
 {
-    static const HostNumbers atRest = liveNumbers(LiveValues{LightType::lit, 3.0, Camera{}, {}});
     const auto annotation = std::ranges::find(annotations, open.uniform.name, &Annotation::name);
-    const auto live = atRest.find(open.uniform.name);
+    const auto live = atRest().find(open.uniform.name);
     if (annotation != annotations.end() && annotation->inComment)
         setFitting(open, annotation->defaults, shader);
-    else if (live != atRest.end())
+    else if (live != atRest().end())
         setFitting(open, live->second, shader);
     else
         return false;
@@ -161,6 +166,23 @@ HostNumbers hostUniforms(const PlainFrame& frame, int width, int height,
                            {"u_mouse", {frame.pointer.at_px.x, frame.pointer.at_px.y}}};
     numbers.merge(liveNumbers(frame.live));
     return numbers;
+}
+
+HostNumbers sliderStarts(const SourceText& text)
+{
+    const HostNumbers fed = hostUniforms({}, 1, 1, {});
+    HostNumbers starts;
+    for (const auto& annotation : annotationsOf(text)) {
+        const bool told = annotation.inComment || annotation.inDeclaration;
+        // One that begins with what only a compiler can read goes on as it begins.
+        if (fed.contains(annotation.name) || annotation.where.path == "generated" ||
+            (!told && hasInitialValue(text, annotation.name)))
+            continue;
+        const auto rest = atRest().find(annotation.name);
+        if (told || rest != atRest().end())
+            starts[annotation.name] = told ? annotation.defaults : rest->second;
+    }
+    return starts;
 }
 
 std::vector<HostUniform> feedOnce(const Program& program, const HostNumbers& host, const PlainValues& values,

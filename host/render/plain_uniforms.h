@@ -53,6 +53,10 @@ using HostNumbers = std::map<std::string, std::vector<double>>;
 HostNumbers hostUniforms(const PlainFrame& frame, int width, int height,
                          const std::array<glm::ivec2, 4>& channelSizes_px);
 
+// What a live host's sliders and keys begin at: every uniform of the text that may have a slider and that
+// nothing else feeds, with the shader's own value, or that of a live host at rest. Throws as annotationsOf().
+HostNumbers sliderStarts(const SourceText& text);
+
 // One that a program reads and each frame may feed.
 struct HostUniform {
     ActiveUniform uniform;
