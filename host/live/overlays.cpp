@@ -25,7 +25,7 @@ const ImVec4 hereText(1.0F, 0.9F, 0.6F, 1.0F);
 constexpr ImGuiWindowFlags overlayFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                           ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
 
-constexpr float margin_px = 8.0F;
+constexpr float overlayMargin_px = 8.0F;
 
 // Drivers' columns are bytes of a shader, those of TOML are not.
 ColumnUnit unitOf(const SourcePosition& where)
@@ -50,7 +50,8 @@ void drawPlace(const FaultPlace& place, ImFont* code)
 {
     const auto& [complaint, excerpt] = place;
     // Long words wrap in the window, whatever the widest line of a source is.
-    ImGui::PushTextWrapPos(ImGui::GetWindowWidth() - 2.0F * margin_px - ImGui::GetStyle().ScrollbarSize);
+    ImGui::PushTextWrapPos(ImGui::GetWindowWidth() - 2.0F * overlayMargin_px -
+                           ImGui::GetStyle().ScrollbarSize);
     if (const std::string where = describe(complaint.where); !where.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, redText);
         ImGui::TextWrapped("%s", where.c_str());
@@ -106,7 +107,7 @@ void drawStaleMark(float left_px)
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     draw.AddRect({2.0F, 2.0F}, {size.x - 2.0F, size.y - 2.0F}, red, 0.0F, 0, 4.0F);
     const char* words = "STALE: the last picture that was good";
-    if (ImGui::CalcTextSize(words).x + 4.0F * margin_px > size.x - left_px)
+    if (ImGui::CalcTextSize(words).x + 4.0F * overlayMargin_px > size.x - left_px)
         words = "STALE";
     const ImVec2 extent = ImGui::CalcTextSize(words);
     const ImVec2 at(middle_px(left_px) - 0.5F * extent.x, 6.0F);
@@ -118,8 +119,8 @@ void drawFault(const Fault& fault, ImFont* code)
 {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float height = faultHeight_px();
-    ImGui::SetNextWindowPos({margin_px, size.y - height - margin_px});
-    ImGui::SetNextWindowSize({size.x - 2.0F * margin_px, height});
+    ImGui::SetNextWindowPos({overlayMargin_px, size.y - height - overlayMargin_px});
+    ImGui::SetNextWindowSize({size.x - 2.0F * overlayMargin_px, height});
     ImGui::SetNextWindowBgAlpha(0.92F);
     ImGui::PushStyleColor(ImGuiCol_Border, red);
     ImGui::Begin("error", nullptr, overlayFlags | ImGuiWindowFlags_HorizontalScrollbar);

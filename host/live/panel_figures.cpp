@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <vector>
 
 namespace dioptre
@@ -18,6 +19,7 @@ namespace
 const ImVec4 alarmText(1.0F, 0.4F, 0.35F, 1.0F);
 const ImVec4 busyText(0.55F, 0.8F, 1.0F, 1.0F);
 constexpr double longCompile_s = 0.2;
+constexpr float planColumn = 0.5F;          // of the panel's width, where reasons begin
 constexpr std::size_t mostLegendLines = 12; // at once
 
 std::string milliseconds(double ms)
@@ -90,8 +92,20 @@ void drawPlan(const Plan& plan)
             continue;
         for (const Feature& feature : plan.features)
             if (feature.in == in)
-                drawFact(feature.name, feature.reason);
+                drawFactAt(planColumn * ImGui::GetWindowContentRegionMax().x, feature.name, feature.reason);
         ImGui::TreePop();
+    }
+}
+
+// Files that would come first if they were there are watched, but do not feed the picture.
+void drawSources(const std::vector<std::filesystem::path>& files)
+{
+    std::error_code error;
+    for (const auto& file : files) {
+        if (!std::filesystem::exists(file, error))
+            continue;
+        ImGui::TextUnformatted(elided(file.filename().string(), ImGui::GetContentRegionAvail().x).c_str());
+        drawHint(file.string());
     }
 }
 
@@ -115,18 +129,18 @@ void drawLegendLine(const std::string& line)
 
 } // namespace
 
+// One line at all times: what came and went above the rows would move them under the hand.
 void drawState(const LiveModel& model, const UiFacts& facts)
 {
     const Loaded* const loaded = facts.stage.loaded();
-    if (loaded != nullptr && loaded->scene && !loaded->scene->scene->title.empty()) {
-        const std::string& title = loaded->scene->scene->title;
-        ImGui::TextDisabled("%s", elided(title, ImGui::GetContentRegionAvail().x).c_str());
-        drawHint(title);
-    }
     if (facts.compilingFor_s > longCompile_s)
-        ImGui::TextColored(busyText, "compiling\u2026 %.1f s", facts.compilingFor_s);
-    else if (loaded == nullptr)
-        ImGui::TextDisabled("%s", model.fault ? "no picture yet" : "loading\u2026");
+        return ImGui::TextColored(busyText, "compiling\u2026 %.1f s", facts.compilingFor_s);
+    if (loaded == nullptr)
+        return ImGui::TextDisabled("%s", model.fault ? "no picture yet" : "loading\u2026");
+    const bool isTitled = loaded->scene && !loaded->scene->scene->title.empty();
+    const std::string text = isTitled ? loaded->scene->scene->title : model.look.input.path.string();
+    ImGui::TextDisabled("%s", elided(text, ImGui::GetContentRegionAvail().x).c_str());
+    drawHint(text);
 }
 
 void drawLegend(const UiFacts& facts)
@@ -157,11 +171,7 @@ void drawFigures(const LiveModel& model, const UiFacts& facts)
     if (loaded.scene && ImGui::CollapsingHeader("Plan"))
         drawPlan(loaded.scene->prepared.plan);
     if (ImGui::CollapsingHeader("Sources"))
-        for (const auto& file : loaded.files) {
-            ImGui::TextUnformatted(
-                elided(file.filename().string(), ImGui::GetContentRegionAvail().x).c_str());
-            drawHint(file.string());
-        }
+        drawSources(loaded.files);
 }
 
 } // namespace dioptre

@@ -6,7 +6,7 @@
 namespace dioptre
 {
 
-// What goes on at this moment, where something does: compiling, or that there is no picture yet.
+// What goes on at this moment: compiling, or that there is no picture yet; else what is shown.
 void drawState(const LiveModel& model, const UiFacts& facts);
 
 // What the colours of a view mean.

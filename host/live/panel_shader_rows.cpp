@@ -32,7 +32,7 @@ bool saysColour(std::string text)
            text.find("tint") != std::string::npos;
 }
 
-RowKind kindOf(const Annotation& annotation)
+RowKind rowKindOf(const Annotation& annotation)
 {
     const bool isUnit = annotation.low == 0.0 && annotation.high == 1.0;
     if (annotation.type.starts_with("b"))
@@ -68,7 +68,7 @@ std::vector<PanelRow> shaderRows(const std::vector<Annotation>& annotations,
         row.group = "Uniforms";
         row.path = name;
         row.label = shortName(name);
-        row.kind = kindOf(annotation);
+        row.kind = rowKindOf(annotation);
         row.numbers = slider != sliders.end() ? slider->second : annotation.defaults;
         row.low = annotation.low;
         row.high = annotation.high;

@@ -96,12 +96,21 @@ void drawLabel(const std::string& label, bool isMarked)
 
 void drawFact(const std::string& label, const std::string& text)
 {
-    ImGui::TextDisabled("%s", label.c_str());
-    ImGui::SameLine(labelColumn_px());
-    const float room_px = ImGui::GetContentRegionAvail().x;
-    ImGui::TextUnformatted(elided(text, room_px).c_str());
-    if (ImGui::CalcTextSize(text.c_str()).x > room_px)
-        drawHint(text);
+    drawFactAt(labelColumn_px(), label, text);
+}
+
+void drawFactAt(float column_px, const std::string& label, const std::string& text)
+{
+    const float labelRoom_px = column_px - ImGui::GetCursorPosX() - ImGui::GetStyle().ItemInnerSpacing.x;
+    const std::string shownLabel = elided(label, labelRoom_px);
+    ImGui::BeginGroup();
+    ImGui::TextDisabled("%s", shownLabel.c_str());
+    ImGui::SameLine(column_px);
+    const std::string shown = elided(text, ImGui::GetContentRegionAvail().x);
+    ImGui::TextUnformatted(shown.c_str());
+    ImGui::EndGroup();
+    if (shown != text || shownLabel != label)
+        drawHint(label + ": " + text);
 }
 
 void drawHint(const std::string& text)

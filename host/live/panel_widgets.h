@@ -30,8 +30,11 @@ float labelColumn_px();
 // A label in the left column; what comes next stands in the right one.
 void drawLabel(const std::string& label, bool isMarked = false);
 
-// Text in both columns.
+// Text in both columns, cut to their widths; a hint has all of it.
 void drawFact(const std::string& label, const std::string& text);
+
+// The same with the right column where it is told to begin.
+void drawFactAt(float column_px, const std::string& label, const std::string& text);
 
 // Shown under the pointer where it rests on the last widget.
 void drawHint(const std::string& text);
