@@ -124,7 +124,7 @@ void loadShader(Loaded& loaded, const DeviceTraits& device)
     for (const auto& [name, value] : settings.values)
         loaded.sliders.erase(name);
     settings.frame.live.sliders.insert(loaded.sliders.begin(), loaded.sliders.end());
-    loaded.texts = flatten(loaded.plain->text.text);
+    loaded.texts = flattenWithoutComments(loaded.plain->text.text);
     for (const auto kind : loaded.plain->form.channels)
         loaded.texts += kind == ChannelKind::cube ? "c" : "p";
     if (loaded.texts != request.shownTexts)

@@ -73,10 +73,11 @@ void Session::openAgain(const LiveInput& input)
     model_.look.input = input;
     if (!input.picture.empty()) {
         model_.look.channels = {input.picture + "?filter=nearest"};
-        model_.frame.live.sliders["u_encode"] = {input.isLinear ? 1.0 : 0.0};
     }
     if (input.plainShader) {
         model_.look.values = plainValues(model_.given);
+        if (!input.picture.empty())
+            model_.look.values["u_encode"] = input.isLinear ? "true" : "false";
         model_.frame.rate = options_.fps;
     }
     window_.setTitle("dioptre live: " + input.name);
@@ -234,6 +235,7 @@ bool Session::turn()
         ask();
     while (auto outcome = reloader_.step(stage_.loaded()))
         apply(std::move(*outcome));
+    hearOfScreenshot();
     follow();
     paint();
     return !window_.isClosing();

@@ -5,6 +5,7 @@
 #include "live/live_input.h"
 #include "live/memory.h"
 #include "live/reloader.h"
+#include "live/screenshot.h"
 #include "live/stage.h"
 #include "live/ui.h"
 #include "live/window.h"
@@ -75,9 +76,14 @@ private:
     void handleButton(const InputEvent& event);
     void handleMove(const InputEvent& event);
     void handleKey(const InputEvent& event);
-    void act(Action action);
     void fly(double elapsed_s);
     void setCamera(const Camera& camera);
+
+    // session_actions.cpp
+    void act(Action action);
+    bool actOnTime(Action action);
+    bool actOnPicture(Action action);
+    bool actOnFiles(Action action);
     void change(const std::string& path, const std::string& value);
     void raiseLights(double metres);
     void nextLightType();
@@ -88,6 +94,7 @@ private:
 
     // session_output.cpp
     void screenshot();
+    void hearOfScreenshot();
     void writeBack();
     void notice(const std::string& text);
 
@@ -112,6 +119,7 @@ private:
     LiveClock::Clock::time_point lastFrame_ = LiveClock::Clock::now();
     LiveClock::Clock::time_point lastTurn_ = LiveClock::Clock::now();
     LiveClock::Clock::time_point noticedAt_;
+    std::optional<ScreenshotJob> shot_;     // one that is being drawn
     LiveClock::Clock::time_point lookedAt_; // when the camera was last asked after by the loader
     LiveClock::Clock::time_point takenAt_;  // when the last reload reached the device
     bool lostMeasured_ = false;             // of what is shown
@@ -122,7 +130,8 @@ private:
     bool moved_ = false;          // the picture's moment, camera, size or samples
     bool looksElsewhere_ = false; // the camera, so that the plan is to be looked at again
     bool wasDone_ = false;
-    int dragged_ = -1; // the button that is held over the picture
+    bool rested_ = true; // since the last frame: the next follows none
+    int dragged_ = -1;   // the button that is held over the picture
     glm::dvec2 pointer_px_{0.0};
 };
 

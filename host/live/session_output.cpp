@@ -1,34 +1,14 @@
-#include "live/camera_control.h"
 #include "live/panel_output_rows.h"
 #include "live/session.h"
 
-#include "base/child_process.h"
 #include "base/file.h"
 #include "base/write_file.h"
-#include "command/size_option.h"
 #include "command/still_writer.h"
 #include "render/annotation.h"
 #include "scene/document_edit.h"
 
-#include <fmt/format.h>
-
 namespace dioptre
 {
-namespace
-{
-
-// "still_life-1.png", or the first number that no file has yet.
-std::filesystem::path freeName(const std::filesystem::path& pattern)
-{
-    for (int number = 1;; ++number) {
-        const auto name = pattern.parent_path() / fmt::format("{}-{}{}", pattern.stem().string(), number,
-                                                              pattern.extension().string());
-        if (!std::filesystem::exists(name))
-            return name;
-    }
-}
-
-} // namespace
 
 void Session::notice(const std::string& text)
 {
@@ -37,53 +17,28 @@ void Session::notice(const std::string& text)
     paints_ = 3;
 }
 
-// The window's own pixels as they are shown. In any other size the picture is another program's work: the
+// The window's own pixels as they are shown. In any other size the picture is another process's work: the
 // command line's, with what was changed here.
 void Session::screenshot()
 {
+    if (shot_)
+        return notice("a screenshot is being drawn already");
     try {
-        const Look look = wanted(model_);
-        std::filesystem::path pattern = options_.output;
-        if (pattern.empty())
-            pattern = look.input.name + ".png";
-        const auto path = freeName(pattern);
-        RenderOptions render;
-        render.input = options_.input;
-        render.output = path.string();
-        render.samples = stage_.samplesDone();
-        render.width = stage_.shown().size_px().x;
-        render.height = stage_.shown().size_px().y;
-        render.time_s = model_.clock.time_s();
-        render.overrides = look.overrides;
-        if (look.camera)
-            for (const auto& value : overridesOf(*look.camera))
-                render.overrides.push_back(value);
-        if (options_.screenshotSize.empty()) {
-            writePng(path, stage_.shown().read(), {}, settingsOf(render, window_.context()));
-        } else {
-            std::vector<std::string> words{"/proc/self/exe",
-                                           "render",
-                                           look.input.path.string(),
-                                           "-o",
-                                           path.string(),
-                                           "--size",
-                                           options_.screenshotSize,
-                                           "--spp",
-                                           std::to_string(look.samples),
-                                           "--time",
-                                           fmt::format("{}", render.time_s)};
-            for (const auto& value : render.overrides)
-                words.insert(words.end(), {"--set", value});
-            for (const auto& folder : options_.included)
-                words.insert(words.end(), {"--include", folder});
-            for (std::size_t i = 0; i < look.channels.size(); ++i)
-                if (!look.channels[i].empty())
-                    words.insert(words.end(), {fmt::format("--channel{}", i), look.channels[i]});
-            const auto outcome = runChild(words);
-            if (!outcome || outcome->code != 0)
-                dioptre::fail(ExitCode::cannotWrite, {path.string()},
-                              outcome ? outcome->error : "no process can be started", "mend what it says");
+        const auto path =
+            freeName(options_.output.empty() ? model_.look.input.name + ".png" : options_.output);
+        if (!options_.screenshotSize.empty()) {
+            shot_ = startScreenshot(renderWords(model_, *stage_.loaded(), options_.screenshotSize, path),
+                                    path, [] { Window::wake(); });
+            return notice("drawing " + path.string());
         }
+        RenderOptions settings;
+        settings.input = input_.shownFile().string();
+        settings.samples = stage_.samplesDone();
+        settings.width = stage_.shown().size_px().x;
+        settings.height = stage_.shown().size_px().y;
+        settings.time_s = model_.clock.time_s();
+        settings.overrides = valuesShown(model_, *stage_.loaded());
+        writePng(path, stage_.shown().read(), {}, settingsOf(settings, window_.context()));
         notice("wrote " + path.string());
         log_.say("screenshot", {{"file", path.string()}});
     } catch (const Error& error) {
@@ -92,28 +47,37 @@ void Session::screenshot()
     }
 }
 
+void Session::hearOfScreenshot()
+{
+    if (!shot_ || shot_->fault.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+        return;
+    const std::string fault = shot_->fault.get();
+    const std::string file = shot_->file.string();
+    shot_.reset();
+    notice(fault.empty() ? "wrote " + file : fault);
+    if (fault.empty())
+        log_.say("screenshot", {{"file", file}});
+    else
+        std::fprintf(stderr, "%s\n", fault.c_str());
+}
+
 // Comments and layout stay; the watcher then finds the file changed, and its values to be those that are
 // shown.
 void Session::writeBack()
 {
-    const Look look = wanted(model_);
+    const std::filesystem::path& path = model_.look.input.path;
     try {
-        const std::filesystem::path& path = look.input.path;
-        if (look.input.plainShader) {
+        if (!input_.picture.empty())
+            return notice("a picture has no values to write");
+        if (model_.look.input.plainShader) {
             if (model_.frame.live.sliders.empty())
                 return notice("nothing was changed");
             writeFile(path, withDefaults(readFile(path), model_.frame.live.sliders));
             model_.frame.live.sliders.clear();
         } else {
-            std::vector<std::string> values;
-            for (const auto& [name, value] : model_.changes)
-                values.push_back(name + "=" + value);
-            if (look.camera)
-                for (const auto& value : overridesOf(*look.camera))
-                    values.push_back(value);
-            if (model_.display)
-                for (const auto& value : overridesOf(*model_.display, stage_.loaded()->scene->scene->output))
-                    values.push_back(value);
+            const std::size_t given = model_.given.size(); // by --set, and not by hand
+            std::vector<std::string> values = valuesShown(model_, *stage_.loaded());
+            values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(given));
             if (values.empty())
                 return notice("nothing was changed");
             writeFile(path, withValues(readFile(path), path.string(), values));

@@ -115,6 +115,7 @@ void Session::paint()
                      {{"samples", stage_.samplesDone()}, {"gl_objects", log_.isOn() ? countGlObjects() : 0}});
         paints_ = std::max(paints_, 1);
     }
+    rested_ = rested_ || (!fresh && !isToDraw());
     if (!fresh && paints_ <= 0)
         return;
     paints_ = std::max(0, paints_ - 1);
@@ -123,7 +124,8 @@ void Session::paint()
         grant(ui_.draw(model_, {stage_, frames_ms_, reloader_.compilingFor_s(), window_.context()}));
     window_.swap();
     if (fresh) {
-        frames_ms_.push_back(static_cast<float>(1000.0 * since_s(lastFrame_)));
+        if (!std::exchange(rested_, false))
+            frames_ms_.push_back(static_cast<float>(1000.0 * since_s(lastFrame_)));
         if (frames_ms_.size() > framesKept)
             frames_ms_.pop_front();
         lastFrame_ = Clock::now();

@@ -169,11 +169,13 @@ bool Stage::draw(double budget_ms)
         ++samplesDone_;
         facts_.sample_ms = sample_ms_;
         completed = true;
+        // Before the next sample is added to the sums.
+        if (isShownAt(loaded_->view.view == DataView::none ? 1 : samplesDone_, samplesWanted()))
+            show();
         if (facts_.usesTime)
             break; // the next frame is another moment's
+        watch.lap_ms();
     }
-    if (completed && isShownAt(loaded_->view.view == DataView::none ? 1 : samplesDone_, samplesWanted()))
-        show();
     if (completed && isDone())
         finish();
     return completed;

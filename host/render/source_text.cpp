@@ -55,6 +55,30 @@ std::string flatten(const SourceText& source)
     return text;
 }
 
+std::string flattenWithoutComments(const SourceText& source)
+{
+    std::string text;
+    bool inComment = false;
+    for (const auto& line : source) {
+        for (std::size_t i = 0; i < line.text.size(); ++i) {
+            const std::string_view rest = std::string_view(line.text).substr(i);
+            if (inComment ? rest.starts_with("*/") : rest.starts_with("/*")) {
+                inComment = !inComment;
+                text += inComment ? " " : "";
+                ++i;
+            } else if (!inComment && rest.starts_with("//")) {
+                break;
+            } else if (!inComment) {
+                text += line.text[i];
+            }
+        }
+        while (text.ends_with(' ') || text.ends_with('\t'))
+            text.pop_back();
+        text += '\n';
+    }
+    return text;
+}
+
 std::vector<std::string_view> identifiers(std::string_view line, bool& inComment)
 {
     std::vector<std::string_view> found;

@@ -29,6 +29,9 @@ SourceText readSource(const std::filesystem::path& path);
 // The lines as one string for the driver.
 std::string flatten(const SourceText& source);
 
+// The same without comments: texts that differ in comments alone are the same to a compiler.
+std::string flattenWithoutComments(const SourceText& source);
+
 // Identifiers of a line, comments left out; `inComment` carries an open /* from line to line.
 std::vector<std::string_view> identifiers(std::string_view line, bool& inComment);
 

@@ -1,0 +1,85 @@
+#include "live/screenshot.h"
+
+#include "base/child_process.h"
+#include "live/camera_control.h"
+#include "live/panel_output_rows.h"
+
+#include <fmt/format.h>
+
+namespace dioptre
+{
+namespace
+{
+
+// "[0.5, 1]", as --set takes a uniform's numbers.
+std::string listOf(const std::vector<double>& numbers)
+{
+    std::string list;
+    for (const double number : numbers)
+        list += fmt::format("{}{}", list.empty() ? "" : ", ", number);
+    return numbers.size() == 1 ? list : "[" + list + "]";
+}
+
+} // namespace
+
+std::filesystem::path freeName(const std::filesystem::path& pattern)
+{
+    for (int number = 1;; ++number) {
+        const auto name = pattern.parent_path() / fmt::format("{}-{}{}", pattern.stem().string(), number,
+                                                              pattern.extension().string());
+        if (!std::filesystem::exists(name))
+            return name;
+    }
+}
+
+std::vector<std::string> valuesShown(const LiveModel& model, const Loaded& loaded)
+{
+    std::vector<std::string> values = wanted(model).overrides;
+    if (model.look.camera)
+        for (const auto& value : overridesOf(*model.look.camera))
+            values.push_back(value);
+    if (model.display && loaded.scene)
+        for (const auto& value : overridesOf(*model.display, loaded.scene->scene->output))
+            values.push_back(value);
+    if (loaded.plain)
+        for (const auto& [name, numbers] : model.frame.live.sliders)
+            values.push_back(name + "=" + listOf(numbers));
+    return values;
+}
+
+std::vector<std::string> renderWords(const LiveModel& model, const Loaded& loaded, const std::string& size,
+                                     const std::filesystem::path& file)
+{
+    const Look& look = model.look;
+    std::vector<std::string> words{"render", look.input.path.string(),
+                                   "-o",     file.string(),
+                                   "--size", size,
+                                   "--time", fmt::format("{}", model.clock.time_s())};
+    if (loaded.scene)
+        words.insert(words.end(), {"--spp", std::to_string(look.samples)});
+    if (look.view != DataView::none)
+        words.insert(words.end(), {"--view", std::string(rowOf(look.view).name)});
+    for (const auto& value : valuesShown(model, loaded))
+        words.insert(words.end(), {"--set", value});
+    for (const auto& folder : look.places.included)
+        words.insert(words.end(), {"--include", folder.string()});
+    for (std::size_t i = 0; i < look.channels.size(); ++i)
+        if (!look.channels[i].empty())
+            words.insert(words.end(), {fmt::format("--channel{}", i), look.channels[i]});
+    return words;
+}
+
+ScreenshotJob startScreenshot(std::vector<std::string> words, const std::filesystem::path& file,
+                              const std::function<void()>& wake)
+{
+    words.insert(words.begin(), "/proc/self/exe");
+    return {file, std::async(std::launch::async, [words = std::move(words), wake] {
+                const auto outcome = runChild(words);
+                wake();
+                return !outcome             ? "no process can be started to draw it"
+                       : outcome->code != 0 ? outcome->error
+                                            : std::string();
+            })};
+}
+
+} // namespace dioptre
