@@ -8,8 +8,6 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfInputFile.h>
-#include <ImfStdIO.h>
 
 #include <algorithm>
 #include <exception>
@@ -22,7 +20,14 @@ namespace
 // The channels that go to R, G and B in this order, or the luminance channel that goes to all three.
 std::vector<std::string> chooseChannels(const std::filesystem::path& path, const Imf::ChannelList& list)
 {
-    const auto has = [&list](const char* name) { return list.findChannel(name) != nullptr; };
+    const auto has = [&](const char* name) {
+        const Imf::Channel* channel = list.findChannel(name);
+        if (channel != nullptr && (channel->xSampling != 1 || channel->ySampling != 1))
+            fail(ExitCode::badInput, {path.string()},
+                 fmt::format("its channel {} has fewer numbers than the picture has texels", name),
+                 "save it without subsampling");
+        return channel != nullptr;
+    };
     if (has("R") || has("G") || has("B"))
         return {"R", "G", "B"};
     if (has("Y") && !has("RY") && !has("BY"))
@@ -67,9 +72,9 @@ Picture readDataWindow(const std::filesystem::path& path, Imf::InputFile& file)
 // lies outside is cropped.
 Picture readDisplayWindow(const std::filesystem::path& path, const std::string& bytes)
 {
-    checkExrHeaders(path, bytes);
     Imf::StdISStream stream;
     stream.str(bytes);
+    checkExrHeaders(path, stream, bytes.size(), ExrReading::picture);
     Imf::InputFile file(stream);
     const Imath::Box2i display = file.header().displayWindow();
     const Imath::Box2i window = file.header().dataWindow();

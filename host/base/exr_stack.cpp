@@ -1,11 +1,11 @@
 #include "base/error.h"
 #include "base/exr_encoder.h"
+#include "base/exr_header.h"
 #include "base/picture_codecs.h"
 #include "base/stack_kinds.h"
 
 #include <ImfChannelList.h>
 #include <ImfHeader.h>
-#include <ImfInputFile.h>
 
 #include <algorithm>
 #include <climits>
@@ -91,7 +91,7 @@ private:
 
 StoredHead readExrHead(const std::filesystem::path& path)
 {
-    const ExrHead head = reading(path, [&] { return headOf(path, Imf::InputFile(path.c_str()).header()); });
+    const ExrHead head = reading(path, [&] { return headOf(path, ExrInput(path).file.header()); });
     std::string form = "channels";
     for (const auto& [name, type] : head.channels)
         form += " " + name + (type == Imf::HALF ? ":16" : ":32");
@@ -101,19 +101,20 @@ StoredHead readExrHead(const std::filesystem::path& path)
 void stackExrs(const PictureStack& stack, const std::filesystem::path& output, const RowsDone& rowsDone)
 {
     const auto& first = stack.topDown.front();
-    ExrHead head = reading(first, [&] { return headOf(first, Imf::InputFile(first.c_str()).header()); });
+    ExrHead head = reading(first, [&] { return headOf(first, ExrInput(first).file.header()); });
     head.height = stack.height;
     ExrEncoder encoder(output, head, stack.settings);
     ExrRows rows(head, rowsBetweenReports);
     int done = 0;
     for (const auto& path : stack.topDown) {
-        const auto file = reading(path, [&] { return std::make_unique<Imf::InputFile>(path.c_str()); });
-        const int height = file->header().dataWindow().max.y + 1;
+        const auto input = reading(path, [&] { return std::make_unique<ExrInput>(path); });
+        Imf::InputFile& file = input->file;
+        const int height = file.header().dataWindow().max.y + 1;
         for (int y = 0; y < height; y += rowsBetweenReports) {
             const int last = std::min(height, y + rowsBetweenReports) - 1;
             reading(path, [&] {
-                file->setFrameBuffer(rows.frame({{0, y}, {head.width - 1, last}}));
-                file->readPixels(y, last);
+                file.setFrameBuffer(rows.frame({{0, y}, {head.width - 1, last}}));
+                file.readPixels(y, last);
             });
             encoder.add(last - y + 1, [&](const Imath::Box2i& window) { return rows.frame(window); });
             done += last - y + 1;

@@ -1,10 +1,10 @@
+#include "base/exr_header.h"
 #include "base/file.h"
 #include "base/picture_stack.h"
 #include "base/png_rows.h"
 #include "base/radiance_head.h"
 
 #include <ImfHeader.h>
-#include <ImfInputFile.h>
 #include <ImfStringAttribute.h>
 
 #include <exception>
@@ -16,9 +16,10 @@ namespace
 
 Settings settingsOfExr(const std::filesystem::path& path)
 {
-    const Imf::InputFile file(path.c_str());
+    const ExrInput input(path);
+    const Imf::Header& header = input.file.header();
     Settings settings;
-    for (auto attribute = file.header().begin(); attribute != file.header().end(); ++attribute)
+    for (auto attribute = header.begin(); attribute != header.end(); ++attribute)
         if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute.attribute()))
             settings[attribute.name()] = text->value();
     return settings;

@@ -47,9 +47,11 @@ std::string nearestWord(std::string_view word, const std::vector<std::string>& c
     std::string nearest;
     std::size_t nearestDistance = 0;
     for (const std::string& candidate : candidates) {
+        const auto [shorter, longer] = std::minmax({wanted.size(), candidate.size()});
+        if (longer - shorter > longer / 3) // far from near: so many letters are missing
+            continue;
         const std::size_t distance = editDistance(wanted, lowerCase(candidate));
-        const bool nearEnough = distance <= std::max(wanted.size(), candidate.size()) / 3;
-        if (nearEnough && (nearest.empty() || distance < nearestDistance)) {
+        if (distance <= longer / 3 && (nearest.empty() || distance < nearestDistance)) {
             nearest = candidate;
             nearestDistance = distance;
         }

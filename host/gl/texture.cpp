@@ -63,7 +63,7 @@ int levelSize(int size, int level)
 
 int levelsOf(int width, int height)
 {
-    return std::bit_width(static_cast<unsigned>(std::max(width, height)));
+    return static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(width, height))));
 }
 
 // A single texture without further levels, of a picture's size and format.

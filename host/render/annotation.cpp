@@ -42,12 +42,9 @@ struct Declaration {
 // The rest of the token's line behind it.
 Piece behind(const SourceText& source, const ShaderToken& token)
 {
-    const auto line = std::ranges::find_if(source, [&](const SourceLine& candidate) {
-        const auto* begin = candidate.text.data();
-        return token.text.data() >= begin && token.text.data() < begin + candidate.text.size();
-    });
-    const auto at = static_cast<std::size_t>(token.text.data() - line->text.data()) + token.text.size();
-    return trimmed({std::string_view(line->text).substr(at), static_cast<int>(at) + 1});
+    const std::string& line = source[token.line].text;
+    const auto at = static_cast<std::size_t>(token.text.data() - line.data()) + token.text.size();
+    return trimmed({std::string_view(line).substr(at), static_cast<int>(at) + 1});
 }
 
 bool isSlider(const UniformType* type)

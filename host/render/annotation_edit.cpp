@@ -107,11 +107,14 @@ std::string withDefaults(const std::string& fileText,
                          const std::map<std::string, std::vector<double>>& values)
 {
     auto replacements = replacementsOf(fileText, values);
-    std::ranges::sort(replacements, std::ranges::greater{}, &Replacement::at);
-    std::string text = fileText;
-    for (const auto& replacement : replacements)
-        text.replace(replacement.at, replacement.count, replacement.text);
-    return text;
+    std::ranges::sort(replacements, {}, &Replacement::at);
+    std::string text;
+    std::size_t at = 0;
+    for (const auto& replacement : replacements) {
+        text += fileText.substr(at, replacement.at - at) + replacement.text;
+        at = replacement.at + replacement.count;
+    }
+    return text + fileText.substr(at);
 }
 
 } // namespace dioptre

@@ -284,7 +284,7 @@ void bind(const Program& program, const DeviceScene& device, const PackedScene& 
     }
     for (const auto& [name, numbers] : fixedUniforms(packed, size_px, origin_px)) {
         const GLint location = locationOf(program, name);
-        const auto number = [&](std::size_t i) { return static_cast<GLfloat>(numbers[i]); };
+        const auto number = [&numbers = numbers](std::size_t i) { return static_cast<GLfloat>(numbers[i]); };
         if (name == "u_budget" || name == "u_depth")
             glUniform1i(location, static_cast<GLint>(numbers[0]));
         else if (numbers.size() == 3)

@@ -65,7 +65,8 @@ HostNumbers frameNumbers(const PlainFrame& frame, const glm::ivec2& size_px, con
 
 PlainRenderer::PlainRenderer(const std::filesystem::path& shader, const ViewSettings& view,
                              PlainSettings plain, const ContextInfo& context)
-    : PlainRenderer(loadPlain(shader, view, plain, context.software), view, std::move(plain))
+    : PlainRenderer(loadPlain(shader, view, plain, context.software), view,
+                    plain) // moved, it might be empty before
 {
 }
 

@@ -141,15 +141,20 @@ void Planner::addForMaterials(const std::string& name, const std::function<bool(
 void Planner::findUsed()
 {
     std::set<std::size_t> used;
-    for (const auto& object : scene_.objects)
-        used.insert(object.material);
+    onObject_.assign(scene_.materials.size(), false);
+    isSeen_.assign(scene_.materials.size(), false);
+    for (std::size_t id = 0; id < scene_.objects.size(); ++id) {
+        const std::size_t material = scene_.objects[id].material;
+        used.insert(material);
+        onObject_[material] = true;
+        isSeen_[material] = isSeen_[material] || plan_.seen[id];
+    }
     if (scene_.camera.inside)
         used.insert(*scene_.camera.inside);
-    // The media outside of used materials matter to absorption.
-    for (std::size_t pass = 0; pass < scene_.materials.size(); ++pass)
-        for (const auto i : std::set<std::size_t>(used))
-            if (scene_.materials[i].outside)
-                used.insert(*scene_.materials[i].outside);
+    // The media outside of used materials matter to absorption, and those outside of these.
+    for (const auto i : std::set<std::size_t>(used))
+        for (auto outside = scene_.materials[i].outside; outside && used.insert(*outside).second;)
+            outside = scene_.materials[*outside].outside;
     plan_.materials = {used.begin(), used.end()};
     for (const auto i : plan_.materials)
         plan_.seenMaterials.push_back(isSeen(scene_.materials[i]));

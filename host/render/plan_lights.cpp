@@ -91,7 +91,7 @@ void Planner::shadows(bool anyLight)
     });
     add("tinted shadows", anyLight && !tinting.empty(), "material " + tinting,
         anyLight ? "nothing transparent casts a shadow" : "no light to shade", {"HAS_TINTED_SHADOWS"});
-    const auto absorbing = materialsWith([this](const auto& m) { return m.absorption != glm::dvec3(0.0); });
+    const auto absorbing = materialsWith([](const auto& m) { return m.absorption != glm::dvec3(0.0); });
     add("absorption in shadows", anyLight && !tinting.empty() && !absorbing.empty(), "material " + absorbing,
         !anyLight         ? "no light to shade"
         : tinting.empty() ? "nothing transparent casts a shadow"

@@ -46,16 +46,12 @@ bool wears(const Material& material)
 
 bool Planner::onObject(const Material& material) const
 {
-    return std::ranges::any_of(scene_.objects,
-                               [&](const Object& o) { return &scene_.materials[o.material] == &material; });
+    return onObject_[static_cast<std::size_t>(&material - scene_.materials.data())];
 }
 
 bool Planner::isSeen(const Material& material) const
 {
-    for (std::size_t id = 0; id < scene_.objects.size(); ++id)
-        if (plan_.seen[id] && &scene_.materials[scene_.objects[id].material] == &material)
-            return true;
-    return false;
+    return isSeen_[static_cast<std::size_t>(&material - scene_.materials.data())];
 }
 
 bool Planner::seesNothing() const

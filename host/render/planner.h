@@ -78,7 +78,8 @@ private:
     const Scene& scene_;   // as it is at every time
     const int mostShared_; // vec4 through the vertex stage
     Plan plan_;
-    bool lit_ = false; // some surface shows light that falls on it
+    std::vector<bool> onObject_, isSeen_; // by material
+    bool lit_ = false;                    // some surface shows light that falls on it
 };
 
 } // namespace dioptre

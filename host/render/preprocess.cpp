@@ -67,6 +67,7 @@ private:
         if (!ours && emitting())
             result_.push_back(line);
         conditions_.push_back({ours, !ours || present == (directive.name == "ifdef"), where});
+        notTaken_ += conditions_.back().taken ? 0 : 1;
     }
 
     void turn(const Directive& directive, const SourcePosition& where, const SourceLine& line)
@@ -75,17 +76,20 @@ private:
             fail(ExitCode::badInput, where, "#" + std::string(directive.name) + " without #if", "remove it");
         auto& condition = conditions_.back();
         const bool ours = condition.ours;
-        if (directive.name == "endif")
+        notTaken_ -= condition.taken ? 0 : 1;
+        if (directive.name == "endif") {
             conditions_.pop_back();
-        else if (ours)
-            condition.taken = !condition.taken;
+        } else {
+            condition.taken = condition.taken != ours;
+            notTaken_ += condition.taken ? 0 : 1;
+        }
         if (!ours && emitting())
             result_.push_back(line);
     }
 
     bool emitting() const
     {
-        return std::all_of(conditions_.begin(), conditions_.end(), [](const auto& c) { return c.taken; });
+        return notTaken_ == 0;
     }
 
     void include(const Directive& directive, const SourcePosition& where)
@@ -122,6 +126,7 @@ private:
     std::set<std::string> features_; // given, and defined in the text so far
     SourceText result_;
     std::vector<Condition> conditions_;
+    int notTaken_ = 0;              // of them
     std::vector<std::string> open_; // includes that are being read, for cycles
     std::set<std::string> included_;
 };

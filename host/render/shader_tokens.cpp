@@ -20,7 +20,7 @@ std::size_t endOfWord(std::string_view line, std::size_t begin)
     return end;
 }
 
-// `place`: of the conditionals.
+// `place`: of the line and the conditionals.
 void addTokens(ShaderTokens& tokens, const SourceLine& line, const ShaderToken& place, bool& inComment)
 {
     const std::string_view text = line.text;
@@ -40,7 +40,8 @@ void addTokens(ShaderTokens& tokens, const SourceLine& line, const ShaderToken& 
                 tokens.all.push_back({text.substr(i, end - i),
                                       {line.file, line.line, static_cast<int>(i) + 1},
                                       place.conditionals,
-                                      place.depth});
+                                      place.depth,
+                                      place.line});
             i = end;
         }
     }
@@ -69,6 +70,7 @@ ShaderTokens tokensOf(const SourceText& source)
             !inDirective && !inComment && first != std::string::npos && line.text[first] == '#';
         inDirective = inDirective || begins;
         if (!inDirective) {
+            place.line = static_cast<std::size_t>(&line - source.data());
             addTokens(tokens, line, place, inComment);
             continue;
         }

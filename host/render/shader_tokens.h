@@ -15,6 +15,7 @@ struct ShaderToken {
     SourcePosition at;
     int conditionals = 0; // of #if, #else, #endif and their like that stand before it
     int depth = 0;        // of #if that it stands in
+    std::size_t line = 0; // of the source, from 0
 };
 
 struct ShaderTokens {

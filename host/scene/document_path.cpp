@@ -43,9 +43,11 @@ Value& elementOf(Array& array, const std::string& step, const DocumentPath& path
     return array[index];
 }
 
+// Looks into the document.
 struct NamedObject {
-    std::string name;
-    Steps steps;
+    std::string_view name;
+    std::string_view kind;
+    std::size_t index = 0; // among its kind
 };
 
 // Every object that has a name.
@@ -61,7 +63,7 @@ std::vector<NamedObject> namedObjects(const Table& document)
             if (const auto* table = std::get_if<Table>(&(*array)[i].data))
                 if (const Value* name = find(*table, "name");
                     name && std::holds_alternative<std::string>(name->data))
-                    named.push_back({std::get<std::string>(name->data), {kind, std::to_string(i)}});
+                    named.push_back({std::get<std::string>(name->data), kind, i});
     }
     return named;
 }
@@ -94,18 +96,23 @@ Steps withoutName(Table& document, const DocumentPath& path)
         createSection(document, written.front(), path.where);
         return written;
     }
-    std::vector<std::string> known = sceneKeys();
+    const std::vector<NamedObject> named = namedObjects(document);
     NamedObject nearest;
-    for (const NamedObject& object : namedObjects(document)) {
-        known.push_back(object.name);
-        if (object.name.size() > nearest.name.size() && path.text.starts_with(object.name + "."))
+    for (const NamedObject& object : named) {
+        const std::size_t length = object.name.size();
+        if (length > nearest.name.size() && path.text.starts_with(object.name) && path.text[length] == '.')
             nearest = object;
     }
-    if (nearest.steps.empty())
+    if (nearest.name.empty()) {
+        std::vector<std::string> known = sceneKeys();
+        for (const NamedObject& object : named)
+            known.emplace_back(object.name);
         leadsNowhere(path, fmt::format("the scene has no '{}'", written.front()), written.front(), known);
+    }
+    Steps steps{std::string(nearest.kind), std::to_string(nearest.index)};
     for (const std::string& step : split(path.text.substr(nearest.name.size() + 1)))
-        nearest.steps.push_back(step);
-    return nearest.steps;
+        steps.push_back(step);
+    return steps;
 }
 
 Value& stepInto(Value& value, const std::string& step, const DocumentPath& path)

@@ -76,6 +76,23 @@ const std::vector<Forged>& forgedPictures()
         {"ExrOfManyChunks", "b.exr",
          forgedExr(tiny, tiny, exrAttribute("chunkCount", "int", littleEndian(highest), 4)),
          "more chunks than it could list"},
+        {"ExrOfMoreNumbersThanItCouldHold", "b.exr",
+         forgedExr({0, 0, 16383, 8191}, {0, 0, 16383, 8191},
+                   exrAttribute("compression", "compression", "\x09", 1)), // DWA, 256 rows a chunk
+         "takes 12192 bytes or more"},
+        {"ExrOfALargeTile", "b.exr",
+         forgedExr(tiny, tiny,
+                   exrAttribute("tiles", "tiledesc",
+                                littleEndian(0xFF0008) + littleEndian(8) + std::string(1, '\0'), 9)),
+         "takes 12145 bytes or more"},
+        {"ExrWithASmallBox", "b.exr", forgedExr(tiny, tiny, exrAttribute("box", "box2i", "four", 4)),
+         "its attribute box is of another size than box2i"},
+        {"ExrWithChannelsThatEndEarly", "b.exr",
+         forgedExr(tiny, tiny, exrAttribute("more", "chlist", std::string(5, '\0'), 5)),
+         "its channels end elsewhere than they say"},
+        {"ExrWithANameWithoutEnd", "b.exr",
+         forgedExr(tiny, tiny, exrAttribute(std::string(256, 'n'), "int", "four", 4)),
+         "a name in its header does not end"},
         {"ExrOfHalfAHeader", "b.exr", forgedExr(tiny, tiny).substr(0, 150), "header does not end"}};
     return pictures;
 }
@@ -118,6 +135,18 @@ TEST_P(ForgedPicture, AsChannel_Image_Sky_IsRefusedBeforeItTakesMemory)
     expectRefused("p.frag --channel0 " + forged.file);
     expectRefused("sky.toml --spp 1");
     expectRefused("ball.toml --spp 1");
+}
+
+using ForgedPart = InAFolder;
+
+TEST_F(ForgedPart, OfAnExr_IsRefusedBeforeItTakesMemory)
+{
+    std::ofstream(folder / "b.exr", std::ios::binary)
+        << forgedExr(tiny, tiny, exrAttribute("owner", "string", "me", highest));
+    const auto outcome = here("dioptre join b.exr b.exr -o a.exr");
+    EXPECT_EQ(outcome.code, 65) << outcome.error;
+    EXPECT_NE(outcome.error.find("its attribute owner is longer than the file"), std::string::npos)
+        << outcome.error;
 }
 
 using LargePicture = InAFolder;

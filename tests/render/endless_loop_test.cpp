@@ -29,6 +29,8 @@ TEST(EndlessLoop, ThatNothingLeaves_IsRefusedAtItsPlace)
     EXPECT_EQ(refusedAt("void f() { for (int i = 0;; ++i) { x += 1.0; } return; }"), "1:12");
     EXPECT_EQ(refusedAt("void f() { for (int i = 0; true; ++i) x += 1.0; }"), "1:12");
     EXPECT_EQ(refusedAt("void f() { do { x += 1.0; } while (true); return; }"), "1:12");
+    EXPECT_EQ(refusedAt("void f() { do x += 1.0; while (true); return; }"), "1:12");
+    EXPECT_EQ(refusedAt("void f() { do { do { x += 1.0; } while (true); return; } while (true); }"), "1:17");
     EXPECT_EQ(refusedAt("void f() { while/* break */(true) // return\n { x *= 2.0; } }"), "1:12");
     EXPECT_EQ(refusedAt("void f() { while (a) { for (;;) { x *= 2.0; } break; } }"), "1:24");
 }

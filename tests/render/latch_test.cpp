@@ -47,7 +47,7 @@ public:
     {
         auto all = always_;
         all.insert(all.end(), overrides.begin(), overrides.end());
-        return parseScene(toml_, latchGlsl / "scenes" / "text.toml", all);
+        return parseScene(toml_, latchGlsl / "scenes" / "text.toml", all, 0.0, {{}, latchGlsl});
     }
 
     const Scene& scene() const
@@ -152,7 +152,7 @@ std::vector<std::string> valuesOf(const Slider& slider, const Edited& edited, st
 // Each value through its range, all others as in the file; then many at once.
 void expectToSettle(const std::filesystem::path& path, const std::vector<std::string>& always)
 {
-    const Scene scene = loadScene(path, always);
+    const Scene scene = loadScene(path, always, 0.0, {{}, latchGlsl});
     Edited edited(readSceneText(path), always);
     std::mt19937 random(7);
     std::vector<std::vector<std::string>> ranges;
@@ -200,7 +200,7 @@ const std::string room = "[camera]\neye = [0, 1, 5]\n[[light]]\nkind = \"point\"
 TEST_P(Latched, ValuesThatWentThroughTheirRangeOnce_NeverChangeTheTextAgain)
 {
     expectToSettle(GetParam(), {"animate=[]"});
-    if (!loadScene(GetParam()).animated.empty())
+    if (!loadScene(GetParam(), {}, 0.0, {{}, latchGlsl}).animated.empty())
         expectToSettle(GetParam(), {});
 }
 
@@ -322,7 +322,7 @@ TEST(Latch, OtherStructure_IsLeftAsItWasLoaded)
         const std::string wanted = change;
         const std::string extra = wanted.ends_with("n2") ? "[material.n2]\n" : "";
         const auto path = latchGlsl / "scenes" / "text.toml";
-        Scene scene = parseScene(extra + room, path, {wanted});
+        Scene scene = parseScene(extra + room, path, {wanted}, 0.0, {{}, latchGlsl});
         latch(scene, edited.scene());
         EXPECT_TRUE(scene.typical.empty()) << change;
     }

@@ -156,6 +156,16 @@ TEST(Plan, NestedMedia_GetALargerBudgetAndPool)
     EXPECT_EQ(plan.poolSlots, 4);
 }
 
+TEST(Plan, MediaAroundMedia_AreAllOfThePlan)
+{
+    const std::string a = "[material.a]\ntransmit = 1.0\nior = 1.5\noutside = \"b\"\n";
+    const std::string b = "[material.b]\ntransmit = 1.0\nior = 1.4\noutside = \"c\"\n";
+    const std::string c = "[material.c]\ntransmit = 1.0\nior = 1.3\n";
+    const std::string ball = "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\nmaterial = \"a\"\n";
+    EXPECT_EQ(assembled(a + b + c + ball).plan.materials.size(), 3U);
+    EXPECT_EQ(assembled(c + b + a + ball).plan.materials.size(), 3U);
+}
+
 TEST(Plan, ArctangentBuiltIn_LeavesThePolynomialOut)
 {
     const std::string sky = "[sky]\nimage = \"sky.exr\"\n";

@@ -75,6 +75,15 @@ TEST(Preprocess, AMissingEndif_IsNamedWhereItsIfStands)
     }
 }
 
+TEST(Preprocess, ConditionalsWithinOnesThatAreOut_StayOutOnBothSides)
+{
+    EXPECT_EQ(
+        preprocessed(
+            "#ifdef HAS_A\n#ifndef HAS_B\nx\n#else\ny\n#endif\n#if 1\nz\n#else\nw\n#endif\n#endif\nend\n",
+            inputWith({})),
+        "end\n");
+}
+
 TEST(SourceText, EveryEndOfLineAndAByteOrderMark_AreRead)
 {
     const auto lines = linesOf("\xEF\xBB\xBF"

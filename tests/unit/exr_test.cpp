@@ -179,6 +179,28 @@ TEST_F(PictureFile, WriteExr_Layers_AreFloatChannelsBesideTheColours)
     }());
 }
 
+TEST_F(PictureFile, ReadExr_OfAChannelWithFewerNumbersThanTexels_IsRefused)
+{
+    Imf::Header header(4, 4);
+    header.channels().insert("R", Imf::Channel(Imf::FLOAT, 2, 2));
+    std::vector<float> numbers(4, 0.5F);
+    Imf::FrameBuffer frame;
+    frame.insert("R", Imf::Slice::Make(Imf::FLOAT, numbers.data(), header.dataWindow(), 4, 8, 2, 2));
+    {
+        Imf::OutputFile file((folder_ / "a.exr").c_str(), header);
+        file.setFrameBuffer(frame);
+        file.writePixels(4);
+    }
+    try {
+        readPicture(folder_ / "a.exr");
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::badInput);
+        EXPECT_NE(std::string(error.what()).find("channel R has fewer numbers"), std::string::npos)
+            << error.what();
+    }
+}
+
 TEST_F(PictureFile, WriteExr_SettingWithANameOfTheFormat_IsRefused)
 {
     try {

@@ -29,7 +29,8 @@ const BadScene badScenes[] = {
     // TOML itself
     {"UnclosedString", "title = \"x\n", 1, 11, "string"},
     {"KeyGivenTwice", "[trace]\nbudget = 1\nbudget = 2\n", 3, 10, "budget"},
-    {"BraceInHeader", "[{a}]\n", 1, 2, "expected bare key"}, // an assertion of toml++ 3.3
+    {"BraceInHeader", "[{a}]\n", 1, 2, "expected bare key"},           // an assertion of toml++ 3.3
+    {"LetterBeyondAsciiInKey", "h\xC3\xA9 = 1\n", 1, 2, "'\xC3\xA9'"}, // undefined in toml++ 3.3
     {"MissingValue", "title =\n", 1, 8, "value"},
     // keys
     {"UnknownSection", "[camra]\n", 1, 2, "did you mean 'camera'?"},
