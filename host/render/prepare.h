@@ -50,8 +50,8 @@ using PictureSource = std::function<void(const Scene&, const Plan&, PackedScene&
 PreparedScene prepare(const Scene& scene, const ViewSettings& view, const PictureSource& pictures = {});
 
 // The same scene at another time, or latched on itself after an edit that its shader outlasts, in place: its
-// plan, shader, parts and pictures stay as they are. `view` is that of prepare(). Throws badInput for faults in
-// the scene's numbers.
+// plan, shader, parts and pictures stay as they are. `view` is that of prepare(). Throws badInput for faults
+// in the scene's numbers.
 void moveTo(PreparedScene& prepared, const Scene& scene, const ViewSettings& view);
 
 } // namespace dioptre
