@@ -28,6 +28,16 @@ std::unique_ptr<Context> helperContext()
     }
 }
 
+// Nothing where there is none: the next message tells why.
+std::unique_ptr<Context> contextIfAny()
+{
+    try {
+        return helperContext();
+    } catch (const std::exception&) {
+        return nullptr;
+    }
+}
+
 TrialReply answer(const TrialMessage& message)
 {
     TrialReply reply{message.number, {}, ""};
@@ -53,7 +63,7 @@ int runHelper()
     ::setpriority(PRIO_PROCESS, 0, niceness);
     keepLargeBlocks();
     startVariablesAtZero();
-    std::unique_ptr<Context> context;
+    std::unique_ptr<Context> context = contextIfAny(); // before the first edit asks for it
     while (const auto message = readTrialMessage(STDIN_FILENO)) {
         TrialReply reply{message->number, {}, ""};
         try {

@@ -9,10 +9,16 @@ namespace dioptre
 ExitCode live(const LiveOptions& options)
 {
     startVariablesAtZero();
-    const Interruption interruption;
-    Session session(options);
-    while (session.turn()) {
+    int signal = 0;
+    {
+        const Interruption interruption;
+        Session session(options);
+        while (session.turn()) {
+        }
+        signal = Interruption::signal();
     }
+    if (signal != 0)
+        endBySignal(signal);
     return ExitCode::done;
 }
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <sys/stat.h>
 
 namespace dioptre
@@ -28,7 +29,7 @@ std::string fingerprintOf(const std::string& path)
                        file.st_mtim.tv_nsec);
 }
 
-ViewSettings viewOf(const LoadRequest& request, const DeviceTraits& device)
+ViewSettings viewOf(const LoadRequest& request)
 {
     ViewSettings view;
     view.width = request.look.size_px.x;
@@ -37,7 +38,8 @@ ViewSettings viewOf(const LoadRequest& request, const DeviceTraits& device)
     view.view = request.look.view;
     view.glslFolder = request.look.places.glslFolder;
     view.pictures = pictureCache();
-    view.drawLimit_s = device.drawLimit_s;
+    // What the helper has passed is waited for: a limit would end the process.
+    view.drawLimit_s = std::numeric_limits<double>::infinity();
     return view;
 }
 
@@ -177,7 +179,7 @@ LoadOutcome loadOnce(const LoadRequest& request, const DeviceTraits& device, Kep
         Stopwatch watch;
         Loaded loaded;
         loaded.request = request;
-        loaded.view = viewOf(request, device);
+        loaded.view = viewOf(request);
         const bool plain = request.look.input.plainShader;
         const std::string text = plain ? "" : readFile(request.look.input.path);
         outcome.files = filesOf(request.look, text);

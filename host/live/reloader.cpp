@@ -127,6 +127,12 @@ std::optional<ReloadOutcome> Reloader::heard(LoadOutcome heard, const Loaded* sh
         return outcome;
     }
     Loaded& loaded = *heard.loaded;
+    const bool lacksPictures =
+        loaded.scene && loaded.pictures == request.shownPictures && loaded.texts == request.shownTexts;
+    if (lacksPictures && (shown == nullptr || shown->pictures != loaded.pictures)) {
+        ask(request.look, request.time_s, request.frame, shown); // others have come between
+        return std::nullopt;
+    }
     if (shown != nullptr && loaded.texts == shown->texts &&
         loaded.scene.has_value() == shown->scene.has_value()) {
         if (request.number == number_) {
@@ -136,7 +142,7 @@ std::optional<ReloadOutcome> Reloader::heard(LoadOutcome heard, const Loaded* sh
         outcome.loaded = std::move(loaded);
         return outcome;
     }
-    if (loaded.trials.empty()) { // it was to take over what is shown no more
+    if (loaded.trials.empty()) { // its program was to be the one that is shown no more
         ask(request.look, request.time_s, request.frame, shown);
         return std::nullopt;
     }

@@ -1,5 +1,6 @@
 #include "live/session.h"
 
+#include "base/interruption.h"
 #include "gl/object_count.h"
 
 #include <algorithm>
@@ -105,7 +106,9 @@ void Session::paint()
         try {
             fresh = stage_.draw(drawBudget_ms);
         } catch (const Error& error) {
-            fail(error);
+            stage_.giveUp();
+            if (Interruption::signal() == 0)
+                fail(error);
         }
     }
     if (stage_.loaded() != nullptr && stage_.isDone() && !wasDone_) {

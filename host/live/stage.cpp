@@ -144,6 +144,12 @@ void Stage::begin()
     facts_.nonfinite = 0;
 }
 
+void Stage::giveUp()
+{
+    samplesDone_ = samplesWanted();
+    row_ = 0;
+}
+
 bool Stage::draw(double budget_ms)
 {
     Stopwatch watch;

@@ -49,6 +49,9 @@ public:
     // Draws for about so long; whether there is something new to show.
     bool draw(double budget_ms);
 
+    // Ends the picture as it is, where drawing it failed.
+    void giveUp();
+
     bool isDone() const;
     bool isBegun() const // of the next sample some is drawn
     {

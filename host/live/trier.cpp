@@ -21,6 +21,9 @@ namespace
 // For a driver's compiler: the largest shaders known take some ten seconds.
 constexpr double compileLimit_s = 60.0;
 
+// Room for a message, which is a shader's text for the most part: the window does not wait until it is read.
+constexpr int pipeBytes = 1 << 20;
+
 using Clock = std::chrono::steady_clock;
 
 } // namespace
@@ -52,6 +55,7 @@ void Trier::launch()
         ::close(in[1]);
         return;
     }
+    ::fcntl(in[1], F_SETPIPE_SZ, pipeBytes);
     posix_spawn_file_actions_t actions{};
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, in[0], STDIN_FILENO);
