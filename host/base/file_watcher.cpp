@@ -38,8 +38,8 @@ private:
     sigset_t before_;
 };
 
-// Waits until one of them can be read, or the time has come.
-void waitFor(std::array<pollfd, 2> descriptors, std::optional<SaveClock::time_point> until)
+// Waits until either can be read, or the time has come.
+void waitForEither(std::array<pollfd, 2> descriptors, std::optional<SaveClock::time_point> until)
 {
     if (!until) {
         ::ppoll(descriptors.data(), descriptors.size(), nullptr, nullptr);
@@ -105,7 +105,7 @@ std::vector<fs::path> FileWatcher::changed()
 void FileWatcher::run()
 {
     for (;;) {
-        waitFor({{{files_.descriptor(), POLLIN, 0}, {rouser_, POLLIN, 0}}}, due());
+        waitForEither({{{files_.descriptor(), POLLIN, 0}, {rouser_, POLLIN, 0}}}, due());
         eventfd_t roused = 0;
         ::eventfd_read(rouser_, &roused);
         const bool hasNews = takeChanges();
