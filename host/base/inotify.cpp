@@ -66,18 +66,14 @@ void Inotify::drop(int watch)
 std::vector<InotifyEvent> Inotify::read()
 {
     std::vector<InotifyEvent> events;
-    alignas(inotify_event) std::array<char, 16384> buffer;
-    ssize_t got = 0;
-    while ((got = ::read(descriptor_, buffer.data(), buffer.size())) > 0) {
-        for (std::size_t at = 0; at < static_cast<std::size_t>(got);) {
-            inotify_event head{};
-            std::memcpy(&head, buffer.data() + at, sizeof head);
-            const char* name = buffer.data() + at + sizeof head;
-            events.push_back({head.wd, head.mask, std::string(name, ::strnlen(name, head.len))});
-            at += sizeof head + head.len;
-        }
-        if (static_cast<std::size_t>(got) < buffer.size() / 2)
-            break; // the rest, if any, in the next turn: a busy folder must not keep us here
+    alignas(inotify_event) std::array<char, 65536> buffer;
+    const ssize_t got = ::read(descriptor_, buffer.data(), buffer.size());
+    for (std::size_t at = 0; got > 0 && at < static_cast<std::size_t>(got);) {
+        inotify_event head{};
+        std::memcpy(&head, buffer.data() + at, sizeof head);
+        const char* name = buffer.data() + at + sizeof head;
+        events.push_back({head.wd, head.mask, std::string(name, ::strnlen(name, head.len))});
+        at += sizeof head + head.len;
     }
     return events;
 }

@@ -33,7 +33,7 @@ public:
     std::optional<int> watch(const std::filesystem::path& path, std::uint32_t mask);
     void drop(int watch);
 
-    // What has come until now; does not wait.
+    // What has come, a thousand events or more at a time; does not wait.
     std::vector<InotifyEvent> read();
 
 private:

@@ -1,5 +1,7 @@
 #include "base/save_burst.h"
 
+#include "base/open_writer.h"
+
 #include <algorithm>
 #include <system_error>
 #include <utility>
@@ -9,17 +11,20 @@ namespace dioptre
 
 void SaveBurst::saved(const std::filesystem::path& file, SaveClock::time_point now)
 {
-    if (saved_.empty())
-        first_ = now;
+    // Nor may one who removes and writes it without a pause put off the telling for ever.
+    const auto absence = vanished_.extract(file);
+    const auto first = absence ? absence.mapped().first.value_or(now) : now;
+    first_ = saved_.empty() ? first : std::min(first_, first);
     last_ = now;
     saved_.insert(file);
-    vanished_.erase(file);
 }
 
 void SaveBurst::vanished(const std::filesystem::path& file, SaveClock::time_point now)
 {
-    saved_.erase(file);
-    vanished_.insert_or_assign(file, now);
+    Absence& absence = vanished_[file];
+    absence.since = now;
+    if (saved_.erase(file) > 0)
+        absence.first = first_;
 }
 
 void SaveBurst::keepOnly(const std::set<std::filesystem::path>& files)
@@ -33,8 +38,8 @@ std::optional<SaveClock::time_point> SaveBurst::due() const
     std::optional<SaveClock::time_point> due;
     if (!saved_.empty())
         due = std::min(last_ + quietTime, first_ + longestBurst);
-    for (const auto& [file, since] : vanished_)
-        due = std::min(due.value_or(SaveClock::time_point::max()), since + longestAbsence);
+    for (const auto& [file, absence] : vanished_)
+        due = std::min(due.value_or(SaveClock::time_point::max()), absence.since + longestAbsence);
     return due;
 }
 
@@ -44,10 +49,10 @@ std::set<std::filesystem::path> SaveBurst::take(SaveClock::time_point now)
     if (!saved_.empty() && now >= std::min(last_ + quietTime, first_ + longestBurst))
         ready = std::exchange(saved_, {});
     std::erase_if(vanished_, [&](const auto& one) {
-        if (now < one.second + longestAbsence)
+        if (now < one.second.since + longestAbsence)
             return false;
         std::error_code fault;
-        if (!std::filesystem::exists(one.first, fault))
+        if (!std::filesystem::exists(one.first, fault) || !hasWriter(one.first))
             ready.insert(one.first);
         return true;
     });

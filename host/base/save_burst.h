@@ -34,14 +34,19 @@ public:
     // When take() will have something to give; nothing while nothing is under way.
     std::optional<SaveClock::time_point> due() const;
 
-    // The files to be read again. One that has vanished is among them only if it is still missing: the end of
-    // its writing is yet to come otherwise.
+    // The files to be read again. One that has vanished is not among them while someone writes it: the end of
+    // its writing is yet to come.
     std::set<std::filesystem::path> take(SaveClock::time_point now);
 
 private:
+    struct Absence {
+        SaveClock::time_point since;
+        std::optional<SaveClock::time_point> first; // save of a burst that it belongs to
+    };
+
     std::set<std::filesystem::path> saved_;
     SaveClock::time_point first_, last_; // save of the burst
-    std::map<std::filesystem::path, SaveClock::time_point> vanished_;
+    std::map<std::filesystem::path, Absence> vanished_;
 };
 
 } // namespace dioptre
