@@ -168,7 +168,8 @@ private:
             double numbers = 0.0;
             for (const auto& [x, y] : claims.samplings)
                 numbers += static_cast<double>(width / x) * static_cast<double>(height / y);
-            return static_cast<std::uintmax_t>(numbers / mostNumbersOfAByte(compression));
+            // More than 2^62 are too many in any case, and more than 2^64 are no whole number here.
+            return static_cast<std::uintmax_t>(std::min(numbers / mostNumbersOfAByte(compression), 0x1p62));
         };
         checkHolds(path_, bytes_, atLeast(claims.width, claims.height, claims.compression));
         // What of a tile is outside the window takes no bytes, but OpenEXR takes memory for it: as little as

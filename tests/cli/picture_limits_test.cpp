@@ -139,6 +139,16 @@ TEST_P(ForgedPicture, AsChannel_Image_Sky_IsRefusedBeforeItTakesMemory)
 
 using ForgedPart = InAFolder;
 
+// So many numbers that no whole number of the machine counts them.
+TEST_F(ForgedPart, OfAnExrOfAllNumbers_IsRefused)
+{
+    std::ofstream(folder / "b.exr", std::ios::binary)
+        << forgedExr({lowest, lowest, highest, highest}, {lowest, lowest, highest, highest});
+    const auto outcome = here("dioptre join b.exr b.exr -o a.exr");
+    EXPECT_EQ(outcome.code, 65) << outcome.error;
+    EXPECT_NE(outcome.error.find("b.exr"), std::string::npos) << outcome.error;
+}
+
 TEST_F(ForgedPart, OfAnExr_IsRefusedBeforeItTakesMemory)
 {
     std::ofstream(folder / "b.exr", std::ios::binary)
