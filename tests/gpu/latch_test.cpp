@@ -87,10 +87,10 @@ INSTANTIATE_TEST_SUITE_P(Edits, LatchedPicture, testing::ValuesIn(edits),
 TEST_P(LatchedPicture, IsTheOneOfTheSceneAsItIs)
 {
     const auto path = glslFolder() / "scenes" / (GetParam().scene + ".toml");
-    const Scene fresh = loadScene(path, GetParam().last);
-    Scene latched = loadScene(path, GetParam().before.front());
+    const Scene fresh = loadScene(path, GetParam().last, 0.0, places());
+    Scene latched = loadScene(path, GetParam().before.front(), 0.0, places());
     for (const auto& overrides : GetParam().before) {
-        Scene next = loadScene(path, overrides);
+        Scene next = loadScene(path, overrides, 0.0, places());
         latch(next, latched);
         latched = std::move(next);
     }
@@ -132,9 +132,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, LatchedGallery, testing::ValuesIn(galleryScenes
 
 TEST_P(LatchedGallery, SceneThatHadEverything_DrawsItsOwnPicture)
 {
-    const Scene fresh = loadScene(GetParam(), {"animate=[]"});
+    const Scene fresh = loadScene(GetParam(), {"animate=[]"}, 0.0, places());
     Scene latched = fresh;
-    latch(latched, loadScene(GetParam(), everythingOn(fresh)));
+    latch(latched, loadScene(GetParam(), everythingOn(fresh), 0.0, places()));
     const auto settings = settingsFor(160, 90, DataView::none);
     expectAlike("all-" + GetParam().stem().string(), drawn(latched, settings).picture,
                 drawn(fresh, settings).picture);
@@ -147,11 +147,11 @@ TEST(LatchedPicture, OfRandomScenesThatHadEverything_IsTheirOwn)
         SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text);
         const auto path = std::filesystem::path(DIOPTRE_SOURCE_DIR) / "glsl" / "scenes" / "text.toml";
         for (const char* form : {"trace.form=literal", "trace.form=loop"}) {
-            const Scene fresh = parseScene(text, path, {"animate=[]", form});
+            const Scene fresh = parseScene(text, path, {"animate=[]", form}, 0.0, places());
             auto overrides = everythingOn(fresh);
             overrides.emplace_back(form);
             Scene latched = fresh;
-            latch(latched, parseScene(text, path, overrides));
+            latch(latched, parseScene(text, path, overrides, 0.0, places()));
             ASSERT_EQ(latched.typical.size(), 2U);
             const auto settings = settingsFor(24, 16, DataView::none);
             expectAlike("random-" + std::to_string(seed), drawn(latched, settings).picture,
@@ -204,7 +204,7 @@ TEST(LatchedPicture, WithinAnOpaqueSolidThatWasClear_IsLit)
         const auto edited = [&](const std::vector<std::string>& more) {
             std::vector<std::string> all = {form};
             all.insert(all.end(), more.begin(), more.end());
-            return parseScene(inABall, "ball.toml", all);
+            return parseScene(inABall, "ball.toml", all, 0.0, places());
         };
         const Scene fresh = edited({});
         Scene latched = fresh;
@@ -226,14 +226,15 @@ TEST(LatchedPicture, RendererGoesOnWithAnotherBudget)
     const auto path = glslFolder() / "scenes" / "glass.toml";
     const auto settings = settingsFor(64, 36, DataView::none);
     const auto& context = contextFor("auto");
-    auto prepared = prepare(loadScene(path, {"trace.budget=2"}), settings);
+    auto prepared = prepare(loadScene(path, {"trace.budget=2"}, 0.0, places()), settings);
     Renderer renderer(prepared, settings, context);
-    Scene edited = loadScene(path, {"trace.budget=3000"});
-    latch(edited, loadScene(path, {"trace.budget=2"}));
+    Scene edited = loadScene(path, {"trace.budget=3000"}, 0.0, places());
+    latch(edited, loadScene(path, {"trace.budget=2"}, 0.0, places()));
     moveTo(prepared, edited, settings);
     renderer.update(prepared);
     const auto still = drawStill(renderer, {0, 0, 64, 36});
-    expectAlike("budget", still.picture, drawn(loadScene(path, {"trace.budget=3000"}), settings).picture);
+    expectAlike("budget", still.picture,
+                drawn(loadScene(path, {"trace.budget=3000"}, 0.0, places()), settings).picture);
     EXPECT_GT(still.counts.rays, 2.5 * 64 * 36);
 }
 
@@ -242,9 +243,9 @@ TEST(LatchedPicture, LostWeight_IsThatOfTheScenesOwnBudget)
 {
     const auto path = glslFolder() / "scenes" / "glass.toml";
     for (const char* order : {"trace.order=breadth-first", "trace.order=depth-first"}) {
-        const Scene fresh = loadScene(path, {order, "trace.budget=3"});
+        const Scene fresh = loadScene(path, {order, "trace.budget=3"}, 0.0, places());
         Scene latched = fresh;
-        latch(latched, loadScene(path, {order, "trace.budget=30"}));
+        latch(latched, loadScene(path, {order, "trace.budget=30"}, 0.0, places()));
         const auto settings = settingsFor(64, 36, DataView::lost);
         expectAlike(std::string("lost, ") + order, drawn(latched, settings).picture,
                     drawn(fresh, settings).picture);
