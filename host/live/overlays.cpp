@@ -118,12 +118,14 @@ void drawStaleMark(float left_px)
 void drawFault(const Fault& fault, ImFont* code)
 {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float height = faultHeight_px();
-    ImGui::SetNextWindowPos({overlayMargin_px, size.y - height - overlayMargin_px});
-    ImGui::SetNextWindowSize({size.x - 2.0F * overlayMargin_px, height});
+    // As high as its text, from the lower edge, and no higher than the panel leaves room.
+    const float width = size.x - 2.0F * overlayMargin_px;
+    ImGui::SetNextWindowPos({overlayMargin_px, size.y - overlayMargin_px}, ImGuiCond_Always, {0.0F, 1.0F});
+    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, faultHeight_px()});
     ImGui::SetNextWindowBgAlpha(0.92F);
     ImGui::PushStyleColor(ImGuiCol_Border, red);
-    ImGui::Begin("error", nullptr, overlayFlags | ImGuiWindowFlags_HorizontalScrollbar);
+    ImGui::Begin("error", nullptr,
+                 overlayFlags | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_HorizontalScrollbar);
     for (const auto& place : fault.places)
         drawPlace(place, code);
     if (fault.places.empty())
