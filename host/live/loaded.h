@@ -9,6 +9,7 @@
 #include "scene/load.h"
 
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -32,7 +33,8 @@ struct Look {
 };
 
 struct LoadRequest {
-    long number = 0;           // counts up
+    long number = 0; // counts up; by the loader, as the next
+    std::chrono::steady_clock::time_point askedAt;
     bool measuresLost = false; // no picture is wanted, but the weight that a small one loses
     Look look;
     double time_s = 0.0;

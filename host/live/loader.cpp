@@ -24,9 +24,43 @@ void Loader::request(LoadRequest request)
 {
     {
         const std::lock_guard lock(mutex_);
-        request_ = std::move(request);
+        if (request.measuresLost && request_)
+            return;
+        put(std::move(request));
     }
     asked_.notify_one();
+}
+
+void Loader::put(LoadRequest request)
+{
+    request.askedAt = std::chrono::steady_clock::now();
+    request.number = request.measuresLost ? number_ : ++number_;
+    if (!request.measuresLost)
+        standing_ = request;
+    request_ = std::move(request);
+}
+
+void Loader::again()
+{
+    {
+        const std::lock_guard lock(mutex_);
+        if (!standing_)
+            return;
+        put(*standing_);
+    }
+    asked_.notify_one();
+}
+
+void Loader::stand(LoadRequest request)
+{
+    const std::lock_guard lock(mutex_);
+    standing_ = std::move(request);
+}
+
+long Loader::latest() const
+{
+    const std::lock_guard lock(mutex_);
+    return number_;
 }
 
 std::optional<LoadOutcome> Loader::take()

@@ -27,8 +27,17 @@ public:
     Loader& operator=(const Loader&) = delete;
     ~Loader();
 
-    // Of several that wait the last is loaded alone.
+    // Of several that wait the last is loaded alone; what only measures waits behind none.
     void request(LoadRequest request);
+
+    // The same for files that changed, of what stands. From any thread.
+    void again();
+
+    // What again() asks for from now on.
+    void stand(LoadRequest request);
+
+    // The number of the last request for a picture.
+    long latest() const;
 
     std::optional<LoadOutcome> take();
 
@@ -36,12 +45,15 @@ public:
 
 private:
     void run();
+    void put(LoadRequest request); // under the lock
 
     DeviceTraits device_;
     std::function<void()> wake_;
     mutable std::mutex mutex_;
     std::condition_variable asked_;
     std::optional<LoadRequest> request_;
+    std::optional<LoadRequest> standing_;
+    long number_ = 0;
     std::optional<LoadOutcome> outcome_;
     bool working_ = false;
     bool ending_ = false;

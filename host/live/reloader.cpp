@@ -38,13 +38,28 @@ std::optional<Error> errorOf(const TrialReply& reply, const Loaded& loaded)
 } // namespace
 
 Reloader::Reloader(const DeviceTraits& device, std::function<void()> wake)
-    : device_(device), watcher_(wake), loader_(device, wake), trier_(wake)
+    : device_(device), loader_(device, wake), watcher_([this] { heardOfFiles(); }), trier_(wake)
 {
 }
 
-long Reloader::ask(const Look& look, double time_s, const PlainFrame& frame, const Loaded* shown)
+// From the watcher's own thread.
+void Reloader::heardOfFiles()
 {
-    LoadRequest request{++number_, false, look, time_s, frame, nullptr, "", ""};
+    try {
+        if (!watcher_.changed().empty())
+            loader_.again();
+    } catch (const Error&) { // nothing can be watched any more: the next load finds it out and says so
+        loader_.again();
+    }
+}
+
+LoadRequest Reloader::requestOf(const Look& look, double time_s, const PlainFrame& frame,
+                                const Loaded* shown) const
+{
+    LoadRequest request;
+    request.look = look;
+    request.time_s = time_s;
+    request.frame = frame;
     if (shown != nullptr && shown->request.look.input.path == look.input.path) {
         request.shownTexts = shown->texts;
         request.shownPictures = shown->pictures;
@@ -53,15 +68,27 @@ long Reloader::ask(const Look& look, double time_s, const PlainFrame& frame, con
         if (latest.scene)
             request.shown = latest.scene->scene;
     }
-    askedAt_ = std::chrono::steady_clock::now();
-    loader_.request(std::move(request));
-    return number_;
+    return request;
+}
+
+void Reloader::ask(const Look& look, double time_s, const PlainFrame& frame, const Loaded* shown)
+{
+    loader_.request(requestOf(look, time_s, frame, shown));
+}
+
+void Reloader::stand(const Look& look, double time_s, const PlainFrame& frame, const Loaded* shown)
+{
+    loader_.stand(requestOf(look, time_s, frame, shown));
 }
 
 void Reloader::measureLost(const Look& look, double time_s, const Loaded& shown)
 {
-    LoadRequest request{number_, true, look, time_s, {}, shown.scene->scene, "", ""};
+    LoadRequest request;
+    request.measuresLost = true;
+    request.look = look;
     request.look.view = DataView::lost;
+    request.time_s = time_s;
+    request.shown = shown.scene->scene;
     loader_.request(std::move(request));
 }
 
@@ -71,10 +98,14 @@ void Reloader::tryPrograms(long number, const Loaded& loaded, bool toMeasure)
     trier_.start(number, loaded.trials, device_.drawLimit_s);
 }
 
-bool Reloader::filesChanged()
+std::optional<Error> Reloader::takeWatchFault()
 {
-    const bool meanwhile = std::exchange(changedMeanwhile_, false);
-    return !watcher_.changed().empty() || meanwhile;
+    return std::exchange(watchFault_, std::nullopt);
+}
+
+bool Reloader::hasMissedAChange()
+{
+    return std::exchange(changedMeanwhile_, false);
 }
 
 void Reloader::watch(const std::vector<std::filesystem::path>& files, const Loaded* shown)
@@ -83,7 +114,11 @@ void Reloader::watch(const std::vector<std::filesystem::path>& files, const Load
     std::set<std::filesystem::path> all(files.begin(), files.end());
     if (shown != nullptr)
         all.insert(shown->files.begin(), shown->files.end());
-    watcher_.watch({all.begin(), all.end()});
+    try {
+        watcher_.watch({all.begin(), all.end()});
+    } catch (const Error& error) { // too many watches: the picture is good all the same
+        watchFault_ = error;
+    }
 }
 
 ReloadOutcome Reloader::outcomeOf(const LoadRequest& request) const
@@ -91,7 +126,7 @@ ReloadOutcome Reloader::outcomeOf(const LoadRequest& request) const
     ReloadOutcome outcome;
     outcome.number = request.number;
     outcome.waited_ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - askedAt_).count();
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - request.askedAt).count();
     return outcome;
 }
 
@@ -109,7 +144,7 @@ std::optional<ReloadOutcome> Reloader::heard(LoadOutcome heard, const Loaded* sh
 {
     const LoadRequest& request = heard.request;
     if (request.measuresLost) {
-        if (heard.loaded && !trier_.isBusy() && request.number == number_)
+        if (heard.loaded && !trier_.isBusy() && request.number == loader_.latest())
             tryPrograms(request.number, *heard.loaded, true);
         return std::nullopt;
     }
@@ -119,7 +154,7 @@ std::optional<ReloadOutcome> Reloader::heard(LoadOutcome heard, const Loaded* sh
         changedMeanwhile_ = true;
     ReloadOutcome outcome = outcomeOf(request);
     if (heard.error) {
-        if (request.number != number_)
+        if (request.number != loader_.latest())
             return std::nullopt; // a later one will tell
         trier_.cancel();
         pending_.reset();
@@ -135,7 +170,7 @@ std::optional<ReloadOutcome> Reloader::heard(LoadOutcome heard, const Loaded* sh
     }
     if (shown != nullptr && loaded.texts == shown->texts &&
         loaded.scene.has_value() == shown->scene.has_value()) {
-        if (request.number == number_) {
+        if (request.number == loader_.latest()) {
             trier_.cancel();
             pending_.reset();
         }

@@ -29,15 +29,22 @@ public:
     // `wake` is called from other threads when step() has something to do.
     Reloader(const DeviceTraits& device, std::function<void()> wake);
 
-    // Asks for a picture of what the files hold now. Gives the request's number.
-    long ask(const Look& look, double time_s, const PlainFrame& frame, const Loaded* shown);
+    // Asks for a picture of what the files hold now.
+    void ask(const Look& look, double time_s, const PlainFrame& frame, const Loaded* shown);
+
+    // What is loaded when a file changes, without being asked for: the watcher's thread sees to it, while the
+    // window draws.
+    void stand(const Look& look, double time_s, const PlainFrame& frame, const Loaded* shown);
 
     // Asks how much weight a small picture loses: by cut-off, pool and budget, each a share of 1. The next
     // ask() drops it.
     void measureLost(const Look& look, double time_s, const Loaded& shown);
 
-    // Whether a file that feeds the picture has changed since the last call.
-    bool filesChanged();
+    // Whether to ask again: a file has changed before it was watched.
+    bool hasMissedAChange();
+
+    // Why files cannot be watched, once.
+    std::optional<Error> takeWatchFault();
 
     // What is ready, if anything. `shown`: as it is now; null where there is nothing yet.
     std::optional<ReloadOutcome> step(const Loaded* shown);
@@ -55,19 +62,21 @@ public:
 private:
     std::optional<ReloadOutcome> heard(LoadOutcome outcome, const Loaded* shown);
     std::optional<ReloadOutcome> tried(const TrialReply& reply);
+    LoadRequest requestOf(const Look& look, double time_s, const PlainFrame& frame,
+                          const Loaded* shown) const;
     void tryPrograms(long number, const Loaded& loaded, bool toMeasure);
+    void heardOfFiles();
     void watch(const std::vector<std::filesystem::path>& files, const Loaded* shown);
     ReloadOutcome outcomeOf(const LoadRequest& request) const;
 
     DeviceTraits device_;
-    FileWatcher watcher_;
     Loader loader_;
+    FileWatcher watcher_; // it calls the loader
     Trier trier_;
-    long number_ = 0;
     std::optional<Loaded> pending_; // its programs are being tried
     bool measuring_ = false;        // the trial is one of measureLost()
+    std::optional<Error> watchFault_;
     bool changedMeanwhile_ = false; // while a file was not watched yet
-    std::chrono::steady_clock::time_point askedAt_;
 };
 
 } // namespace dioptre

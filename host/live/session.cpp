@@ -198,6 +198,7 @@ void Session::apply(ReloadOutcome outcome)
     if (model_.restartOnReload && !first)
         model_.clock.restart();
     ++picturesTaken_;
+    reloader_.stand(wanted(model_), model_.clock.time_s(), model_.frame, stage_.loaded());
     takenAt_ = Clock::now();
     lostMeasured_ = false;
     if (remembered_)
@@ -231,7 +232,11 @@ bool Session::turn()
         paints_ = 3;
     }
     fly(std::min(elapsed_s, 0.1));
-    if (reloader_.filesChanged())
+    if (const auto fault = reloader_.takeWatchFault()) {
+        std::fprintf(stderr, "dioptre: %s\n", fault->what());
+        notice(fault->what());
+    }
+    if (reloader_.hasMissedAChange())
         ask();
     while (auto outcome = reloader_.step(stage_.loaded()))
         apply(std::move(*outcome));
