@@ -123,8 +123,8 @@ void Session::paint()
         return;
     paints_ = std::max(0, paints_ - 1);
     stage_.shown().draw(size_px);
-    if (model_.showPanel || model_.showHelp || model_.fault || !model_.notice.empty())
-        grant(ui_.draw(model_, {stage_, frames_ms_, reloader_.compilingFor_s(), window_.context()}));
+    // Where it shows nothing too: only so it lets go of a pointer that was over it.
+    grant(ui_.draw(model_, {stage_, frames_ms_, reloader_.compilingFor_s(), window_.context()}));
     window_.swap();
     if (fresh) {
         if (!std::exchange(rested_, false))
