@@ -116,7 +116,7 @@ void Session::handleKey(const InputEvent& event)
 {
     if (!event.down || ui_.wantsKeys())
         return;
-    if (event.key == GLFW_KEY_ESCAPE) {
+    if (event.key == GLFW_KEY_ESCAPE && !event.again) {
         if (model_.showHelp)
             model_.showHelp = false;
         else if (window_.isFullscreen())
@@ -124,8 +124,11 @@ void Session::handleKey(const InputEvent& event)
         return;
     }
     for (const auto& binding : keyBindings())
-        if (binding.key == event.key && binding.control == event.control)
-            return act(binding.action);
+        if (binding.key == event.key && binding.control == event.control) {
+            if (!event.again || isRepeated(binding.action))
+                act(binding.action);
+            return;
+        }
 }
 
 } // namespace dioptre
