@@ -64,6 +64,7 @@ public:
 private:
     void open(const std::filesystem::path& path);
     void recallHand(); // where the camera was left
+    bool showsInput() const;
     void keep() const;
     void openAgain(const LiveInput& input);
     void ask();
@@ -97,6 +98,7 @@ private:
     void hearOfScreenshot();
     void writeBack();
     void notice(const std::string& text);
+    void refuse(const Error& error); // what was asked for; the picture is as good as before
 
     // session_paint.cpp
     double waitTime_s();
