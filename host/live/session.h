@@ -133,6 +133,7 @@ private:
     bool looksElsewhere_ = false; // the camera, so that the plan is to be looked at again
     bool wasDone_ = false;
     bool rested_ = true; // since the last frame: the next follows none
+    bool flies_ = false; // a key that moves the camera is held
     int dragged_ = -1;   // the button that is held over the picture
     glm::dvec2 pointer_px_{0.0};
 };

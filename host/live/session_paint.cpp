@@ -44,7 +44,7 @@ double Session::waitTime_s()
         return std::clamp(0.001 * stage_.facts().sample_ms, 0.0, 0.5);
     if (draws || paints_ > 0 || moved_)
         return 0.0;
-    if (plays)
+    if (plays || flies_)
         return std::max(0.0005, frame_s - since_s(lastFrame_));
     if (reloader_.compilingFor_s() > 0.0 || !model_.notice.empty() || looksElsewhere_)
         return 0.1;
