@@ -43,6 +43,25 @@ std::span<const KeyBinding> keyBindings()
     return bindings;
 }
 
+bool isRepeated(Action action)
+{
+    switch (action) {
+    case Action::stepBack:
+    case Action::stepForward:
+    case Action::scrubBack:
+    case Action::scrubForward:
+    case Action::lightUp:
+    case Action::lightDown:
+    case Action::fewerRays:
+    case Action::moreRays:
+    case Action::fewerSamples:
+    case Action::moreSamples:
+        return true;
+    default: // a switch, or a deed
+        return false;
+    }
+}
+
 std::span<const Gesture> gestures()
 {
     static constexpr std::array all{

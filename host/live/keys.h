@@ -44,6 +44,9 @@ struct KeyBinding {
 
 std::span<const KeyBinding> keyBindings();
 
+// Whether it is done again and again while its key is held.
+bool isRepeated(Action action);
+
 // What the mouse and the held keys do, for the help.
 struct Gesture {
     const char* gesture;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <limits>
 #include <sys/stat.h>
+#include <utility>
 
 namespace dioptre
 {
@@ -175,6 +176,7 @@ LoadOutcome loadOnce(const LoadRequest& request, const DeviceTraits& device, Kep
     LoadOutcome outcome;
     outcome.request = request;
     outcome.files = {request.look.input.path};
+    outcome.stamp = stampOf(outcome.files);
     try {
         Stopwatch watch;
         Loaded loaded;
@@ -182,8 +184,11 @@ LoadOutcome loadOnce(const LoadRequest& request, const DeviceTraits& device, Kep
         loaded.view = viewOf(request);
         const bool plain = request.look.input.plainShader;
         const std::string text = plain ? "" : readFile(request.look.input.path);
+        const std::string before = std::exchange(outcome.stamp, "");
         outcome.files = filesOf(request.look, text);
         outcome.stamp = stampOf(outcome.files);
+        if (stampOf({request.look.input.path}) != before)
+            outcome.stamp += "saved since its files were found\n";
         if (plain)
             loadShader(loaded, device);
         else

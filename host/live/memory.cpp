@@ -32,11 +32,26 @@ fs::path stateFolder()
     return {};
 }
 
+// As it stands where its folder is gone.
+std::string wholeName(const fs::path& input)
+{
+    std::error_code error;
+    const fs::path whole = fs::weakly_canonical(input, error);
+    return (error ? input : whole).string();
+}
+
 fs::path fileOf(const fs::path& input)
 {
     const fs::path folder = stateFolder();
-    const std::string whole = fs::weakly_canonical(input).string();
-    return folder.empty() ? folder : folder / fmt::format("{:016x}.json", fingerprint(whole));
+    return folder.empty() ? folder : folder / fmt::format("{:016x}.json", fingerprint(wholeName(input)));
+}
+
+// Of a window that there can be; 0 else.
+glm::ivec2 sizeIn(const Json& json)
+{
+    const auto width_px = json.at("width").get<double>(), height_px = json.at("height").get<double>();
+    const auto fits = [](double side_px) { return side_px >= 1.0 && side_px <= 16384.0; };
+    return fits(width_px) && fits(height_px) ? glm::ivec2(width_px, height_px) : glm::ivec2(0);
 }
 
 Json jsonOf(const Camera& camera)
@@ -69,7 +84,7 @@ std::optional<Remembered> recall(const fs::path& input)
     try {
         const Json json = Json::parse(readFile(file));
         Remembered what;
-        what.size_px = {json.at("width").get<int>(), json.at("height").get<int>()};
+        what.size_px = sizeIn(json);
         what.panel = json.at("panel").get<bool>();
         if (json.contains("camera")) {
             what.hand = cameraIn(json.at("camera"));
@@ -88,7 +103,7 @@ void remember(const fs::path& input, const Remembered& what)
     const fs::path file = fileOf(input);
     if (file.empty())
         return;
-    Json json = {{"input", fs::weakly_canonical(input).string()},
+    Json json = {{"input", wholeName(input)},
                  {"width", what.size_px.x},
                  {"height", what.size_px.y},
                  {"panel", what.panel}};

@@ -37,7 +37,7 @@ void drawButtons(bool isScene, UiWishes& wishes)
 {
     drawButton("write", "write changed values into the file (Ctrl+S)", Action::writeBack, wishes, true);
     drawButton("drop all", "drop all changed values (Ctrl+Z)", Action::discard, wishes);
-    drawButton("camera", "its own own camera again (R)", Action::resetCamera, wishes);
+    drawButton("camera", "its own camera again (R)", Action::resetCamera, wishes);
     drawButton("shot", "write a screenshot (P)", Action::screenshot, wishes);
     if (isScene)
         drawButton("view", "the next view: light, rays, lost, object, ... (V)", Action::view, wishes);

@@ -64,7 +64,8 @@ LoadRequest Reloader::requestOf(const Look& look, double time_s, const PlainFram
         request.shownTexts = shown->texts;
         request.shownPictures = shown->pictures;
         // Features latch on what is on its way already, so that it need not be compiled again.
-        const Loaded& latest = pending_ ? *pending_ : *shown;
+        const bool follows = pending_ && pending_->request.look.input.path == look.input.path;
+        const Loaded& latest = follows ? *pending_ : *shown;
         if (latest.scene)
             request.shown = latest.scene->scene;
     }

@@ -27,7 +27,8 @@ std::filesystem::path freeName(const std::filesystem::path& pattern)
     for (int number = 1;; ++number) {
         const auto name = pattern.parent_path() / fmt::format("{}-{}{}", pattern.stem().string(), number,
                                                               pattern.extension().string());
-        if (!std::filesystem::exists(name))
+        std::error_code unknown; // whoever writes it is told
+        if (!std::filesystem::exists(name, unknown))
             return name;
     }
 }
@@ -35,14 +36,20 @@ std::filesystem::path freeName(const std::filesystem::path& pattern)
 std::vector<std::string> valuesShown(const LiveModel& model, const Loaded& loaded)
 {
     std::vector<std::string> values = wanted(model).overrides;
+    if (const auto encode = model.look.values.find("u_encode"); encode != model.look.values.end())
+        values.push_back("u_encode=" + encode->second);
     if (model.look.camera)
         for (const auto& value : overridesOf(*model.look.camera))
             values.push_back(value);
     if (model.display && loaded.scene)
         for (const auto& value : overridesOf(*model.display, loaded.scene->scene->output))
             values.push_back(value);
-    if (loaded.plain)
-        for (const auto& [name, numbers] : model.frame.live.sliders)
+    if (!loaded.plain)
+        return values;
+    // Sliders, and what keys and mouse move.
+    for (const auto& [name, numbers] : hostUniforms(model.frame, 1, 1, {}))
+        if (const auto start = loaded.sliders.find(name);
+            start != loaded.sliders.end() && start->second != numbers)
             values.push_back(name + "=" + listOf(numbers));
     return values;
 }

@@ -91,7 +91,7 @@ Session::~Session()
 
 void Session::keep() const
 {
-    if (options_.forget || stage_.loaded() == nullptr)
+    if (options_.forget || !showsInput())
         return;
     Remembered what{window_.isFullscreen() ? glm::ivec2(0) : model_.look.size_px, model_.showPanel, {}, {}};
     if (stage_.loaded()->scene && model_.look.camera) {
@@ -103,6 +103,12 @@ void Session::keep() const
     } catch (const Error& error) {
         std::fprintf(stderr, "dioptre: what is remembered of this input is lost: %s\n", error.what());
     }
+}
+
+// What was opened last may be faulty: then another's picture is shown still.
+bool Session::showsInput() const
+{
+    return stage_.loaded() != nullptr && stage_.loaded()->request.look.input.path == model_.look.input.path;
 }
 
 // A scene whose own camera was edited since begins there.
@@ -135,7 +141,7 @@ void Session::open(const std::filesystem::path& path)
         openAgain(input);
         log_.say("opened", {{"input", path.string()}});
     } catch (const Error& error) {
-        fail(error);
+        refuse(error);
     }
 }
 

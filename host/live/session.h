@@ -64,6 +64,7 @@ public:
 private:
     void open(const std::filesystem::path& path);
     void recallHand(); // where the camera was left
+    bool showsInput() const;
     void keep() const;
     void openAgain(const LiveInput& input);
     void ask();
@@ -97,6 +98,7 @@ private:
     void hearOfScreenshot();
     void writeBack();
     void notice(const std::string& text);
+    void refuse(const Error& error); // what was asked for; the picture is as good as before
 
     // session_paint.cpp
     double waitTime_s();
@@ -131,6 +133,7 @@ private:
     bool looksElsewhere_ = false; // the camera, so that the plan is to be looked at again
     bool wasDone_ = false;
     bool rested_ = true; // since the last frame: the next follows none
+    bool flies_ = false; // a key that moves the camera is held
     int dragged_ = -1;   // the button that is held over the picture
     glm::dvec2 pointer_px_{0.0};
 };

@@ -190,6 +190,8 @@ bool Session::actOnFiles(Action action)
     case Action::discard:
         model_.changes.clear();
         model_.frame.live.sliders.clear();
+        model_.frame.live.lightType.reset();
+        model_.frame.live.lightHeight_m.reset();
         model_.display.reset();
         stage_.setDisplay(std::nullopt);
         ask();

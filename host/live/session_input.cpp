@@ -96,7 +96,10 @@ void Session::setCamera(const Camera& camera)
 
 void Session::fly(double elapsed_s)
 {
-    if (stage_.loaded() == nullptr || ui_.wantsKeys() || window_.isHeld(GLFW_KEY_LEFT_CONTROL))
+    flies_ = false;
+    const auto either = [this](int left, int right) { return window_.isHeld(left) || window_.isHeld(right); };
+    if (stage_.loaded() == nullptr || ui_.wantsKeys() ||
+        either(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL))
         return;
     const auto axis = [this](int more, int less) {
         return (window_.isHeld(more) ? 1.0 : 0.0) - (window_.isHeld(less) ? 1.0 : 0.0);
@@ -107,8 +110,9 @@ void Session::fly(double elapsed_s)
         return;
     const Camera camera = cameraOf(model_, *stage_.loaded());
     // Half of the way to the target in a second: so it is in small scenes as in large ones.
-    const double speed =
-        0.5 * glm::distance(camera.eye, camera.target) * (window_.isHeld(GLFW_KEY_LEFT_SHIFT) ? 4.0 : 1.0);
+    const bool fast = either(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    const double speed = 0.5 * glm::distance(camera.eye, camera.target) * (fast ? 4.0 : 1.0);
+    flies_ = true;
     setCamera(flown(camera, elapsed_s * speed * way));
 }
 
@@ -116,7 +120,7 @@ void Session::handleKey(const InputEvent& event)
 {
     if (!event.down || ui_.wantsKeys())
         return;
-    if (event.key == GLFW_KEY_ESCAPE) {
+    if (event.key == GLFW_KEY_ESCAPE && !event.again) {
         if (model_.showHelp)
             model_.showHelp = false;
         else if (window_.isFullscreen())
@@ -124,8 +128,11 @@ void Session::handleKey(const InputEvent& event)
         return;
     }
     for (const auto& binding : keyBindings())
-        if (binding.key == event.key && binding.control == event.control)
-            return act(binding.action);
+        if (binding.key == event.key && binding.control == event.control) {
+            if (!event.again || isRepeated(binding.action))
+                act(binding.action);
+            return;
+        }
 }
 
 } // namespace dioptre

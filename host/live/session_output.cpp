@@ -17,6 +17,12 @@ void Session::notice(const std::string& text)
     paints_ = 3;
 }
 
+void Session::refuse(const Error& error)
+{
+    notice(error.what());
+    std::fprintf(stderr, "dioptre: %s\n", error.what());
+}
+
 // The window's own pixels as they are shown. In any other size the picture is another process's work: the
 // command line's, with what was changed here.
 void Session::screenshot()
@@ -42,8 +48,7 @@ void Session::screenshot()
         notice("wrote " + path.string());
         log_.say("screenshot", {{"file", path.string()}});
     } catch (const Error& error) {
-        notice(error.what());
-        std::fprintf(stderr, "dioptre: %s\n", error.what());
+        refuse(error);
     }
 }
 
@@ -67,6 +72,8 @@ void Session::writeBack()
 {
     const std::filesystem::path& path = model_.look.input.path;
     try {
+        if (!showsInput())
+            return notice(path.filename().string() + " is not shown yet");
         if (!input_.picture.empty())
             return notice("a picture has no values to write");
         if (model_.look.input.plainShader) {
@@ -88,8 +95,7 @@ void Session::writeBack()
         notice("wrote " + path.filename().string());
         log_.say("written", {{"file", path.string()}});
     } catch (const Error& error) {
-        notice(error.what());
-        std::fprintf(stderr, "dioptre: %s\n", error.what());
+        refuse(error);
     }
 }
 

@@ -44,7 +44,7 @@ double Session::waitTime_s()
         return std::clamp(0.001 * stage_.facts().sample_ms, 0.0, 0.5);
     if (draws || paints_ > 0 || moved_)
         return 0.0;
-    if (plays)
+    if (plays || flies_)
         return std::max(0.0005, frame_s - since_s(lastFrame_));
     if (reloader_.compilingFor_s() > 0.0 || !model_.notice.empty() || looksElsewhere_)
         return 0.1;
@@ -123,8 +123,8 @@ void Session::paint()
         return;
     paints_ = std::max(0, paints_ - 1);
     stage_.shown().draw(size_px);
-    if (model_.showPanel || model_.showHelp || model_.fault || !model_.notice.empty())
-        grant(ui_.draw(model_, {stage_, frames_ms_, reloader_.compilingFor_s(), window_.context()}));
+    // Where it shows nothing too: only so it lets go of a pointer that was over it.
+    grant(ui_.draw(model_, {stage_, frames_ms_, reloader_.compilingFor_s(), window_.context()}));
     window_.swap();
     if (fresh) {
         if (!std::exchange(rested_, false))

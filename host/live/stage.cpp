@@ -68,6 +68,7 @@ void Stage::take(Loaded loaded)
     else
         takeTexts(std::move(next));
     dropPictures(*loaded_);
+    lookForMotion();
     begin();
 }
 
@@ -86,11 +87,16 @@ void Stage::takeTexts(std::unique_ptr<Loaded> next)
     facts_ = {};
     facts_.built = drawing().times();
     facts_.uniforms = drawing().facts().uniforms;
-    const bool plainTime = plain_ && anyOf(facts_.uniforms, {"iTime", "u_time", "iFrame", "u_frame", "iDate",
-                                                             "u_date", "iChannelTime"});
-    facts_.usesTime = scene_ ? !loaded_->scene->scene->animated.empty() : plainTime;
-    facts_.usesPointer = plain_ && anyOf(facts_.uniforms, {"iMouse", "u_mouse"});
     msPerRow_ = 0.0;
+}
+
+// Values alone may make a scene move: its texts need not tell.
+void Stage::lookForMotion()
+{
+    facts_.usesTime = scene_ ? !loaded_->scene->scene->animated.empty()
+                             : anyOf(facts_.uniforms, {"iTime", "u_time", "iFrame", "u_frame", "iDate",
+                                                       "u_date", "iChannelTime"});
+    facts_.usesPointer = plain_ && anyOf(facts_.uniforms, {"iMouse", "u_mouse"});
 }
 
 void Stage::takeValues(std::unique_ptr<Loaded> next)

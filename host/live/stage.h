@@ -82,6 +82,7 @@ private:
     void finish();
     void takeTexts(std::unique_ptr<Loaded> loaded);
     void takeValues(std::unique_ptr<Loaded> loaded);
+    void lookForMotion();
 
     ContextInfo context_;
     ShownPicture shown_;

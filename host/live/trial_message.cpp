@@ -13,7 +13,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TextureShape, target, stored, numberType, wid
                                    minification, magnification, wrapS, wrapT)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProgramTrial, fragment, vertex, blocks, uniforms, textures,
                                    marksEndedLoops)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LogMessage, line, column, text)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LogMessage, line, column, text, collapsed)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TrialOutcome, messages, inVertexStage, compile_ms, firstDraw_ms,
                                    endedLoops, mean)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TrialMessage, number, drawLimit_s, trials)

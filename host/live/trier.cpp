@@ -47,6 +47,8 @@ Trier::~Trier()
 
 void Trier::launch()
 {
+    mailbox_ = std::make_shared<Mailbox>();
+    mailbox_->ended = true; // unless a helper starts
     std::array<int, 2> in{}, out{};
     if (::pipe2(in.data(), O_CLOEXEC) != 0)
         return;
@@ -70,7 +72,7 @@ void Trier::launch()
     ::close(out[1]);
     process_ = process;
     input_ = in[1];
-    mailbox_ = std::make_shared<Mailbox>();
+    mailbox_->ended = false;
     reader_ = std::thread([mailbox = mailbox_, wake = wake_, output = out[0]] {
         for (bool open = true; open;) {
             auto reply = readTrialReply(output);

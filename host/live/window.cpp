@@ -82,6 +82,7 @@ void Window::listen()
         owner(window).events_.push_back({.kind = InputEvent::Kind::key,
                                          .key = key,
                                          .down = action != GLFW_RELEASE,
+                                         .again = action == GLFW_REPEAT,
                                          .shift = (modifiers & GLFW_MOD_SHIFT) != 0,
                                          .control = (modifiers & GLFW_MOD_CONTROL) != 0});
     });

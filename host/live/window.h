@@ -20,6 +20,7 @@ struct InputEvent {
     Kind kind = Kind::key;
     int key = 0; // or button
     bool down = false;
+    bool again = false; // the key is down still, and the keyboard repeats it
     bool shift = false;
     bool control = false;
     glm::dvec2 at_px{0.0};                      // of the pointer, from the picture's lower left
