@@ -76,7 +76,8 @@ void Stage::takeTexts(std::unique_ptr<Loaded> next)
 {
     if (next->scene) {
         auto& scene = *next->scene;
-        auto renderer = std::make_unique<Renderer>(scene.prepared, next->view, context_, scene.parts);
+        Renderer* const before = loaded_ && loaded_->pictures == next->pictures ? scene_.get() : nullptr;
+        auto renderer = std::make_unique<Renderer>(scene.prepared, next->view, context_, scene.parts, before);
         scene_ = std::move(renderer);
         plain_.reset();
     } else {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 namespace dioptre
 {
@@ -61,7 +62,19 @@ std::vector<std::span<const Picture>> layersOf(const PictureGroup& group, const 
     return layers;
 }
 
-void uploadTextures(DeviceScene& device, const std::vector<const Plan*>& plans, const PackedScene& packed)
+// Of those that are kept the one that holds this, or what `make` makes.
+BoundTexture keptOr(std::vector<BoundTexture>& kept, const std::string& uniform,
+                    const std::vector<std::size_t>& pictures, GLenum target,
+                    const std::function<Texture()>& make)
+{
+    for (auto& texture : kept)
+        if (texture.uniform == uniform && texture.pictures == pictures && texture.target == target)
+            return std::move(texture);
+    return {uniform, make(), target, pictures};
+}
+
+void uploadTextures(DeviceScene& device, const std::vector<const Plan*>& plans, const PackedScene& packed,
+                    std::vector<BoundTexture> kept)
 {
     const auto wanted = namesOfAll(plans, [&](const Plan& plan) { return plannedTextures(plan, packed); });
     for (const auto& group : pictureGroups(*plans.front(), packed)) {
@@ -69,11 +82,12 @@ void uploadTextures(DeviceScene& device, const std::vector<const Plan*>& plans, 
             continue;
         for (const auto picture : group.pictures)
             device.textureBytes += bytesOf(packed.pictures[picture]);
-        device.textures.push_back(
-            {group.uniform, uploadPictureArray(layersOf(group, packed)), GL_TEXTURE_2D_ARRAY});
+        device.textures.push_back(keptOr(kept, group.uniform, group.pictures, GL_TEXTURE_2D_ARRAY,
+                                         [&] { return uploadPictureArray(layersOf(group, packed)); }));
     }
     if (holds(wanted, "u_sky_picture")) {
-        device.textures.push_back({"u_sky_picture", uploadSky(packed.sky_picture.front()), GL_TEXTURE_2D});
+        device.textures.push_back(keptOr(kept, "u_sky_picture", {}, GL_TEXTURE_2D,
+                                         [&] { return uploadSky(packed.sky_picture.front()); }));
         device.textureBytes += bytesOf(packed.sky_picture);
     }
 }
@@ -175,12 +189,13 @@ std::vector<std::pair<std::string, TextureShape>> textureShapes(const Plan& plan
     return shapes;
 }
 
-DeviceScene upload(const PackedScene& packed, const std::vector<const Plan*>& plans)
+DeviceScene upload(const PackedScene& packed, const std::vector<const Plan*>& plans,
+                   std::vector<BoundTexture> kept)
 {
     DeviceScene device;
     for (const auto& name : namesOfAll(plans, plannedBlocks))
         device.blocks.push_back(blockOf(name, packed));
-    uploadTextures(device, plans, packed);
+    uploadTextures(device, plans, packed, std::move(kept));
     return device;
 }
 

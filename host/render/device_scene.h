@@ -20,6 +20,7 @@ struct BoundTexture {
     std::string uniform;
     Texture texture;
     GLenum target = GL_TEXTURE_2D;
+    std::vector<std::size_t> pictures; // indices into PackedScene::pictures, by layer; none of the sky
 };
 
 // A buffer and the uniform block that reads it.
@@ -53,7 +54,9 @@ std::map<std::string, std::vector<double>> fixedUniforms(const PackedScene& pack
 std::vector<std::pair<std::string, TextureShape>> textureShapes(const Plan& plan, const PackedScene& packed);
 
 // Uploads what one of the plans, which are of one scene, needs, and nothing else.
-DeviceScene upload(const PackedScene& packed, const std::vector<const Plan*>& plans);
+// `kept`: textures of the very same pictures, of which those that hold what is wanted are taken over.
+DeviceScene upload(const PackedScene& packed, const std::vector<const Plan*>& plans,
+                   std::vector<BoundTexture> kept = {});
 
 // Uploads the numbers anew, of the same scene at another time; the pictures stay.
 void uploadNumbers(DeviceScene& device, const PackedScene& packed);

@@ -36,12 +36,12 @@ std::vector<DrawnPart> drawnParts(const std::vector<PartProgram>& programs, cons
 } // namespace
 
 Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, const ContextInfo& context)
-    : Renderer(prepared, view, context, {})
+    : Renderer(prepared, view, context, {}, nullptr)
 {
 }
 
 Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, const ContextInfo& context,
-                   std::vector<AssembledPart> assembled)
+                   std::vector<AssembledPart> assembled, Renderer* before)
     : Drawing(targetWidth(view), targetHeight(view), view.drawLimit_s), prepared_(&prepared), view_(view),
       software_(context.software)
 {
@@ -52,7 +52,8 @@ Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, cons
     dealSamples();
     for (auto& part : assembled)
         parts_.push_back({std::move(part), {}});
-    device_ = upload(packed, plans());
+    if (before == nullptr)
+        device_ = upload(packed, plans());
     times_.load = watch.lap_ms();
 
     for (auto& part : parts_) {
@@ -60,6 +61,10 @@ Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, cons
         checkInterface(part.program, packed, part.plan);
     }
     times_.compile = watch.lap_ms();
+
+    if (before != nullptr)
+        device_ = upload(packed, plans(), std::move(before->device_.textures));
+    times_.load += watch.lap_ms();
 
     for (const auto& part : parts_) {
         bindTo(part);

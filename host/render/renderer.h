@@ -24,8 +24,10 @@ public:
     Renderer(const PreparedScene& prepared, const ViewSettings& view, const ContextInfo& context);
 
     // The same of texts that were assembled before, for what this device carries.
+    // `before` draws the very same pictures and gives its textures away once the programs are made; null for
+    // none.
     Renderer(const PreparedScene& prepared, const ViewSettings& view, const ContextInfo& context,
-             std::vector<AssembledPart> assembled);
+             std::vector<AssembledPart> assembled, Renderer* before = nullptr);
 
     // Goes on with the same scene at another time, as moveTo() left it: nothing is compiled, and no picture
     // is uploaded. `prepared` must outlive the renderer. Throws badInput where a sample now takes more loop
