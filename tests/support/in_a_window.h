@@ -85,6 +85,7 @@ protected:
         } catch (const std::runtime_error& error) {
             throw std::runtime_error(error.what() + ("; it said\n" + program->error()));
         }
+        hand->moveTo(width / 2, height / 2);
     }
 
     // Waits for the first picture as well.

@@ -132,6 +132,7 @@ void XDriver::tap(const std::string& key, const std::vector<std::string>& modifi
         press(modifier);
     press(key);
     release(key);
+    pause_s(0.025); // of two in a millisecond GLFW drops one, and of two in 20 it takes one for a repeat
     for (const auto& modifier : modifiers)
         release(modifier);
 }

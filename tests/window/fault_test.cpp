@@ -74,7 +74,7 @@ const std::vector<Breach> breaches{
            "a.toml",
            "a.toml",
            skyOf(green),
-           "[camera]\n[sky]\nimage = \"none.png\"\n[[sphere]]\nradius = 1\n",
+           "[camera]\n[sky]\nimage = \"none.png\"\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n",
            skyOf(blue),
            {},
            3}};
