@@ -28,13 +28,18 @@ glm::dvec3 rotated(const glm::dvec3& offset, double azimuth_rad, double elevatio
                                std::cos(azimuth) * std::cos(elevation));
 }
 
-// Six digits behind the point and no more than are needed: a micrometre is nobody's wish.
+// Nine digits: more than a hand can place, in scenes of any size.
 std::string shortNumber(double number)
 {
-    std::string text = fmt::format("{:.6f}", number);
-    while (text.ends_with('0') && !text.ends_with(".0"))
-        text.pop_back();
+    std::string text = fmt::format("{:.9g}", number);
+    if (text.find_first_of(".e") == std::string::npos)
+        text += ".0";
     return text == "-0.0" ? "0.0" : text;
+}
+
+glm::dvec3 rounded(const glm::dvec3& v)
+{
+    return {std::stod(shortNumber(v.x)), std::stod(shortNumber(v.y)), std::stod(shortNumber(v.z))};
 }
 
 std::string listOf(const glm::dvec3& v)
@@ -83,6 +88,14 @@ Camera zoomed(Camera camera, double notches)
     const double half_rad = 0.5 * camera.fovY_deg * std::numbers::pi / 180.0;
     const double zoomed_rad = std::atan(std::tan(half_rad) * std::pow(1.1, -notches));
     camera.fovY_deg = std::clamp(2.0 * zoomed_rad * 180.0 / std::numbers::pi, 1.0, 170.0);
+    return camera;
+}
+
+Camera rounded(Camera camera)
+{
+    camera.eye = rounded(camera.eye);
+    camera.target = rounded(camera.target);
+    camera.fovY_deg = std::stod(shortNumber(camera.fovY_deg));
     return camera;
 }
 

@@ -23,6 +23,9 @@ Camera flown(Camera camera, const glm::dvec3& rightUpAhead_m);
 // The field of view wider or narrower, by notches of a wheel; 1 to 170 degrees.
 Camera zoomed(Camera camera, double notches);
 
+// To the digits that are written: a camera that is written and read is the same.
+Camera rounded(Camera camera);
+
 // As it stands in a scene's file: "[camera]\neye = [...]\n".
 std::string tomlOf(const Camera& camera);
 

@@ -157,6 +157,7 @@ void Session::fail(const Error& error)
     std::fprintf(stderr, "dioptre: %s\n", error.what());
     log_.say("error", {{"text", error.what()},
                        {"code", static_cast<int>(error.code())},
+                       {"stale", true},
                        {"places", placesOf(*model_.fault)}});
     paints_ = 3;
 }

@@ -89,7 +89,7 @@ void Session::setCamera(const Camera& camera)
         moved_ = true;
         return;
     }
-    model_.look.camera = camera;
+    model_.look.camera = rounded(camera);
     moved_ = true;
     looksElsewhere_ = true;
 }

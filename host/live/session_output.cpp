@@ -21,6 +21,7 @@ void Session::refuse(const Error& error)
 {
     notice(error.what());
     std::fprintf(stderr, "dioptre: %s\n", error.what());
+    log_.say("error", {{"text", error.what()}, {"code", static_cast<int>(error.code())}, {"stale", false}});
 }
 
 // The window's own pixels as they are shown. In any other size the picture is another process's work: the

@@ -132,11 +132,14 @@ TEST_F(Open, DroppedNonsense_KeepsThePictureAndSaysWhy)
     ASSERT_TRUE(becomes(green));
     save(folder / "notes.txt", "nothing of the kind\n");
     save(folder / "bad.png", "no picture\n");
-    for (const std::string file : {"notes.txt", "bad.png", "none.toml"}) {
+    for (const std::string file : {"notes.txt", "none.toml", "bad.png"}) {
         drop(*hand, {folder / file});
         const auto event = program->next("error");
         EXPECT_NE(event["text"].get<std::string>().find(file), std::string::npos) << event;
-        EXPECT_TRUE(eventually([&] { return isStaleOver(green); })) << file;
+        // What cannot be opened at all leaves the picture as good as it was.
+        EXPECT_EQ(event["stale"].get<bool>(), file == "bad.png") << event;
+        if (file == "bad.png")
+            EXPECT_TRUE(eventually([&] { return isStaleOver(green); })) << file;
     }
     drop(*hand, {folder / "g.frag"});
     EXPECT_TRUE(becomes(green));

@@ -78,7 +78,7 @@ TEST_P(End, EndsTheWindowAndItsHelper)
     ASSERT_EQ(children.size(), 1U);
     hand.reset();
     program->signal(GetParam());
-    EXPECT_EQ(program->ended(), GetParam() == SIGKILL ? 128 + SIGKILL : 0) << program->error();
+    EXPECT_EQ(program->ended(), 128 + GetParam()) << program->error();
     EXPECT_TRUE(eventually([&] { return !isRunning(children.front()); }, 10.0));
 }
 
