@@ -15,7 +15,7 @@ namespace dioptre::test
 namespace
 {
 
-constexpr int width = 192, height = 100;
+constexpr int refinedWidth = 192, refinedHeight = 100;
 
 // Bands of uneven heights, as a window's time allows: a sample is whole before the next.
 std::vector<float> bitByBit(Drawing& drawing, int samples)
@@ -23,12 +23,12 @@ std::vector<float> bitByBit(Drawing& drawing, int samples)
     drawing.start();
     int rows = 1;
     for (int sample = 0; sample < samples; ++sample)
-        for (int y = 0; y < height; y += rows, rows = 1 + (7 * rows + 3) % 40)
-            drawing.add({sample, 1}, {0, y, width, std::min(rows, height - y)});
+        for (int y = 0; y < refinedHeight; y += rows, rows = 1 + (7 * rows + 3) % 40)
+            drawing.add({sample, 1}, {0, y, refinedWidth, std::min(rows, refinedHeight - y)});
     return drawing.read().floats;
 }
 
-std::vector<float> atOnce(Drawing& drawing)
+std::vector<float> drawnAtOnce(Drawing& drawing)
 {
     drawing.draw();
     return drawing.read().floats;
@@ -37,12 +37,12 @@ std::vector<float> atOnce(Drawing& drawing)
 void expectSampleBySampleIsTheWhole(const std::string& name, const std::vector<std::string>& overrides,
                                     bool hasParts)
 {
-    const ViewSettings view{width, height, 4, glslFolder()};
+    const ViewSettings view{refinedWidth, refinedHeight, 4, glslFolder()};
     const auto scene = loadScene(glslFolder() / "scenes" / (name + ".toml"), overrides, 0.0, places());
     const auto prepared = prepare(scene, view);
     EXPECT_EQ(prepared.parts.size() > 1, hasParts) << name;
     Renderer renderer(prepared, view, contextFor("auto"));
-    const auto expected = atOnce(renderer);
+    const auto expected = drawnAtOnce(renderer);
     EXPECT_NE(expected, std::vector<float>(expected.size(), expected.front()));
     EXPECT_EQ(bitByBit(renderer, view.samples), expected) << name;
     EXPECT_EQ(bitByBit(renderer, view.samples), expected) << name << ", once more";
@@ -68,14 +68,14 @@ TEST_F(SampleBySample, SceneOfOnePart_IsThePictureDrawnAtOnce)
 TEST_F(SampleBySample, FewerSamples_AreThePictureOfSoMany)
 {
     const auto scene = loadScene(glslFolder() / "scenes" / "spheres.toml", {}, 0.0, places());
-    ViewSettings view{width, height, 4, glslFolder()};
+    ViewSettings view{refinedWidth, refinedHeight, 4, glslFolder()};
     const auto ofFour = prepare(scene, view);
     Renderer four(ofFour, view, contextFor("auto"));
     const auto first = bitByBit(four, 1);
     view.samples = 1;
     const auto ofOne = prepare(scene, view);
     Renderer one(ofOne, view, contextFor("auto"));
-    EXPECT_EQ(first, atOnce(one));
+    EXPECT_EQ(first, drawnAtOnce(one));
 }
 
 TEST_F(SampleBySample, PlainShader_IsThePictureDrawnAtOnce)
@@ -84,8 +84,8 @@ TEST_F(SampleBySample, PlainShader_IsThePictureDrawnAtOnce)
     std::ofstream(shader) << "void mainImage(out vec4 c, in vec2 p) {\n"
                              "    c = vec4(sin(p * 0.37), fwidth(p.x * p.y), 1.0);\n"
                              "}\n";
-    PlainRenderer renderer(shader, {width, height, 1, glslFolder()}, {}, contextFor("auto"));
-    const auto expected = atOnce(renderer);
+    PlainRenderer renderer(shader, {refinedWidth, refinedHeight, 1, glslFolder()}, {}, contextFor("auto"));
+    const auto expected = drawnAtOnce(renderer);
     EXPECT_NE(expected[0], expected[4]);
     EXPECT_EQ(bitByBit(renderer, 1), expected);
 }

@@ -15,24 +15,24 @@ namespace dioptre::test
 namespace
 {
 
-constexpr int width = 96, height = 40;
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr int shownWidth = 96, shownHeight = 40;
+constexpr float endless = std::numeric_limits<float>::infinity();
 
 // Over twelve decades, with what no display can show strewn in, and the border cases first.
 std::vector<float> radianceSums(unsigned seed)
 {
-    std::vector<float> numbers{0.0F,    -0.0F,     1.0F,     infinity, -infinity, std::nanf(""), -1.0F,
-                               -1e30F,  3.4e38F,   -3.4e38F, 1e-45F,   0.5F,      0.0031308F,    7.2417F,
-                               1.0001F, 0.999999F, 1e18F,    2e18F,    1e-7F,     0.18F};
+    std::vector<float> numbers{0.0F,    -0.0F,     1.0F,     endless, -endless, std::nanf(""), -1.0F,
+                               -1e30F,  3.4e38F,   -3.4e38F, 1e-45F,  0.5F,     0.0031308F,    7.2417F,
+                               1.0001F, 0.999999F, 1e18F,    2e18F,   1e-7F,    0.18F};
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> decade(-6.0F, 6.0F);
     std::uniform_int_distribution<int> kind(0, 19);
-    while (numbers.size() < 4UL * width * height) {
+    while (numbers.size() < 4UL * shownWidth * shownHeight) {
         const float magnitude = std::pow(10.0F, decade(random));
         const int which = kind(random);
         numbers.push_back(which == 0   ? std::nanf("")
-                          : which == 1 ? infinity
-                          : which == 2 ? -infinity
+                          : which == 1 ? endless
+                          : which == 2 ? -endless
                           : which == 3 ? -magnitude
                                        : magnitude);
     }
@@ -41,9 +41,9 @@ std::vector<float> radianceSums(unsigned seed)
 
 AccumulationTarget targetOf(const std::vector<float>& numbers)
 {
-    AccumulationTarget target = makeAccumulationTarget(width, height);
+    AccumulationTarget target = makeAccumulationTarget(shownWidth, shownHeight);
     glBindTexture(GL_TEXTURE_2D, target.colour.name());
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, numbers.data());
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, shownWidth, shownHeight, GL_RGBA, GL_FLOAT, numbers.data());
     glBindTexture(GL_TEXTURE_2D, 0);
     return target;
 }
@@ -52,7 +52,7 @@ AccumulationTarget targetOf(const std::vector<float>& numbers)
 std::vector<std::uint8_t> bytesOfPng(const std::vector<float>& sums, int samples,
                                      const std::optional<Display>& display)
 {
-    Picture means{width, height, PixelFormat::float32, {}, sums};
+    Picture means{shownWidth, shownHeight, PixelFormat::float32, {}, sums};
     for (float& number : means.floats)
         number /= static_cast<float>(samples);
     if (!display)
@@ -70,8 +70,10 @@ void expectShownAsWritten(const std::vector<float>& sums, int samples, const std
     ASSERT_EQ(actual.size(), expected.size());
     std::size_t apart = 0;
     for (std::size_t i = 0; i < actual.size(); ++i) {
-        const std::size_t pixel = i / 3, column = pixel % width, row = height - 1 - pixel / width;
-        ASSERT_NEAR(actual[i], expected[i], 1) << "of a sum of " << sums[4 * (row * width + column) + i % 3];
+        const std::size_t pixel = i / 3, column = pixel % shownWidth,
+                          row = shownHeight - 1 - pixel / shownWidth;
+        ASSERT_NEAR(actual[i], expected[i], 1)
+            << "of a sum of " << sums[4 * (row * shownWidth + column) + i % 3];
         apart += actual[i] != expected[i] ? 1 : 0;
     }
     EXPECT_LT(apart, actual.size() / 50) << "rounding alone hits few";
@@ -124,7 +126,7 @@ TEST_F(Shown, AnotherSize_ReplacesTheWhole)
     ShownPicture shown(glslFolder());
     EXPECT_EQ(shown.size_px(), glm::ivec2(0));
     shown.take(targetOf(radianceSums(3)), 1, std::nullopt);
-    EXPECT_EQ(shown.size_px(), glm::ivec2(width, height));
+    EXPECT_EQ(shown.size_px(), glm::ivec2(shownWidth, shownHeight));
     Picture small = blankFloats(2, 2);
     small.floats.assign(16, 1.0F);
     shown.take(small);

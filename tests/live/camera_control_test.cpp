@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr double pi = std::numbers::pi;
-constexpr double close = 1e-9;
+constexpr double rounding = 1e-9;
 
 // Five metres before its target, looking along -z.
 Camera ahead()
@@ -64,7 +64,7 @@ TEST(CameraControl, Orbit_KeepsTargetDistanceAndFieldOfView)
     const Camera after = orbited(before, 0.7, -0.4);
     EXPECT_EQ(after.target, before.target);
     EXPECT_EQ(after.fovY_deg, before.fovY_deg);
-    EXPECT_NEAR(distanceOf(after), distanceOf(before), close);
+    EXPECT_NEAR(distanceOf(after), distanceOf(before), rounding);
     EXPECT_GT(glm::distance(after.eye, before.eye), 1.0);
 }
 
@@ -72,9 +72,9 @@ TEST(CameraControl, Orbit_KeepsTargetDistanceAndFieldOfView)
 TEST(CameraControl, OrbitToTheRightAndUp_EyeGoesLeftAndDown)
 {
     const Camera right = orbited(ahead(), 0.1, 0.0);
-    expectNear(right.eye - right.target, 5.0 * glm::dvec3(-std::sin(0.1), 0.0, std::cos(0.1)), close);
+    expectNear(right.eye - right.target, 5.0 * glm::dvec3(-std::sin(0.1), 0.0, std::cos(0.1)), rounding);
     const Camera up = orbited(ahead(), 0.0, 0.1);
-    expectNear(up.eye - up.target, 5.0 * glm::dvec3(0.0, -std::sin(0.1), std::cos(0.1)), close);
+    expectNear(up.eye - up.target, 5.0 * glm::dvec3(0.0, -std::sin(0.1), std::cos(0.1)), rounding);
 }
 
 TEST(CameraControl, OrbitOfAFullCircle_IsBackWhereItBegan)
@@ -104,7 +104,7 @@ TEST(CameraControl, OrbitFromStraightAbove_HasAFrame)
     Camera camera = ahead();
     camera.eye = camera.target + glm::dvec3(0.0, 3.0, 0.0);
     const Camera moved = orbited(camera, 0.2, 0.2);
-    EXPECT_NEAR(distanceOf(moved), 3.0, close);
+    EXPECT_NEAR(distanceOf(moved), 3.0, rounding);
     EXPECT_TRUE(isFinite(worldFromCamera(moved)));
 }
 
@@ -112,10 +112,10 @@ TEST(CameraControl, Turn_KeepsEyeAndDistance_AndLooksThatWay)
 {
     const Camera right = turned(ahead(), 0.1, 0.0);
     EXPECT_EQ(right.eye, ahead().eye);
-    expectNear(right.target - right.eye, 5.0 * glm::dvec3(std::sin(0.1), 0.0, -std::cos(0.1)), close);
+    expectNear(right.target - right.eye, 5.0 * glm::dvec3(std::sin(0.1), 0.0, -std::cos(0.1)), rounding);
     const Camera up = turned(ahead(), 0.0, 0.1);
-    expectNear(up.target - up.eye, 5.0 * glm::dvec3(0.0, std::sin(0.1), -std::cos(0.1)), close);
-    EXPECT_NEAR(distanceOf(turned(oblique(), -2.0, 1.0)), distanceOf(oblique()), close);
+    expectNear(up.target - up.eye, 5.0 * glm::dvec3(0.0, std::sin(0.1), -std::cos(0.1)), rounding);
+    EXPECT_NEAR(distanceOf(turned(oblique(), -2.0, 1.0)), distanceOf(oblique()), rounding);
 }
 
 TEST(CameraControl, Pan_MovesEyeAndTargetAlikeInThePicturesPlane)
@@ -123,36 +123,36 @@ TEST(CameraControl, Pan_MovesEyeAndTargetAlikeInThePicturesPlane)
     const Camera before = oblique();
     const Camera after = panned(before, 0.3, -0.2);
     const glm::dvec3 move = after.eye - before.eye;
-    expectNear(after.target - before.target, move, close);
+    expectNear(after.target - before.target, move, rounding);
     EXPECT_NEAR(glm::dot(move, before.target - before.eye), 0.0, 1e-8);
     const double height_m = 2.0 * distanceOf(before) * std::tan(0.5 * before.fovY_deg * pi / 180.0);
-    EXPECT_NEAR(glm::length(move), height_m * std::hypot(0.3, 0.2), close);
+    EXPECT_NEAR(glm::length(move), height_m * std::hypot(0.3, 0.2), rounding);
 }
 
 TEST(CameraControl, PanOfHalfAHeight_TheOldTargetIsAtThePicturesEdge)
 {
     const Camera after = panned(ahead(), 0.0, 0.5);
     const glm::dvec3 seen = glm::transpose(worldFromCamera(after)) * (ahead().target - after.eye);
-    EXPECT_NEAR(seen.y / seen.z, std::tan(20.0 * pi / 180.0), close);
+    EXPECT_NEAR(seen.y / seen.z, std::tan(20.0 * pi / 180.0), rounding);
     EXPECT_LT(seen.y, 0.0);
 }
 
 TEST(CameraControl, Fly_GoesAlongItsOwnWays)
 {
     const Camera after = flown(ahead(), {1.0, 2.0, 3.0});
-    expectNear(after.eye - ahead().eye, {1.0, 2.0, -3.0}, close);
-    expectNear(after.target - ahead().target, {1.0, 2.0, -3.0}, close);
+    expectNear(after.eye - ahead().eye, {1.0, 2.0, -3.0}, rounding);
+    expectNear(after.target - ahead().target, {1.0, 2.0, -3.0}, rounding);
     const Camera up = flown(oblique(), {0.0, 1.0, 0.0});
-    expectNear(up.eye - oblique().eye, {0.0, 1.0, 0.0}, close); // the world's, however the head is held
+    expectNear(up.eye - oblique().eye, {0.0, 1.0, 0.0}, rounding); // the world's, however the head is held
 }
 
 TEST(CameraControl, ZoomInAndOut_IsWhereItBegan_AndEachNotchATenthOfThePicturesHeight)
 {
     const auto height = [](const Camera& camera) { return std::tan(0.5 * camera.fovY_deg * pi / 180.0); };
     const Camera closer = zoomed(ahead(), 1.0);
-    EXPECT_NEAR(height(ahead()) / height(closer), 1.1, close);
-    EXPECT_NEAR(zoomed(closer, -1.0).fovY_deg, 40.0, close);
-    EXPECT_NEAR(zoomed(zoomed(ahead(), 1.0), 1.0).fovY_deg, zoomed(ahead(), 2.0).fovY_deg, close);
+    EXPECT_NEAR(height(ahead()) / height(closer), 1.1, rounding);
+    EXPECT_NEAR(zoomed(closer, -1.0).fovY_deg, 40.0, rounding);
+    EXPECT_NEAR(zoomed(zoomed(ahead(), 1.0), 1.0).fovY_deg, zoomed(ahead(), 2.0).fovY_deg, rounding);
 }
 
 TEST(CameraControl, ZoomWithoutEnd_StaysWithinItsBounds)
