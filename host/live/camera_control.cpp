@@ -28,10 +28,10 @@ glm::dvec3 rotated(const glm::dvec3& offset, double azimuth_rad, double elevatio
                                std::cos(azimuth) * std::cos(elevation));
 }
 
-// Nine digits: more than a hand can place, in scenes of any size.
+// Twelve digits: more than a hand can place, in scenes of any size.
 std::string shortNumber(double number)
 {
-    std::string text = fmt::format("{:.9g}", number);
+    std::string text = fmt::format("{:.12g}", number);
     if (text.find_first_of(".e") == std::string::npos)
         text += ".0";
     return text == "-0.0" ? "0.0" : text;

@@ -111,6 +111,17 @@ bool Session::showsInput() const
     return stage_.loaded() != nullptr && stage_.loaded()->request.look.input.path == model_.look.input.path;
 }
 
+// Once the file says the same: until it does, the hand's is the one that is seen.
+void Session::forgetWrittenCamera()
+{
+    if (!stage_.loaded()->scene || !model_.look.camera)
+        return;
+    const Camera own = stage_.loaded()->scene->atTime(model_.clock.time_s()).camera;
+    if (own.eye == model_.look.camera->eye && own.target == model_.look.camera->target &&
+        own.fovY_deg == model_.look.camera->fovY_deg)
+        model_.look.camera.reset();
+}
+
 // A scene whose own camera was edited since begins there.
 void Session::recallHand()
 {
@@ -210,6 +221,7 @@ void Session::apply(ReloadOutcome outcome)
     lostMeasured_ = false;
     if (remembered_)
         recallHand();
+    forgetWrittenCamera();
     moved_ = true; // the window may be of another size by now
     wasDone_ = false;
     paints_ = 3;

@@ -12,6 +12,7 @@
 
 #include <deque>
 #include <memory>
+#include <set>
 
 namespace dioptre
 {
@@ -63,6 +64,7 @@ public:
 
 private:
     void open(const std::filesystem::path& path);
+    void forgetWrittenCamera();
     void recallHand(); // where the camera was left
     bool showsInput() const;
     void keep() const;
@@ -132,9 +134,10 @@ private:
     bool moved_ = false;          // the picture's moment, camera, size or samples
     bool looksElsewhere_ = false; // the camera, so that the plan is to be looked at again
     bool wasDone_ = false;
-    bool rested_ = true; // since the last frame: the next follows none
-    bool flies_ = false; // a key that moves the camera is held
-    int dragged_ = -1;   // the button that is held over the picture
+    bool rested_ = true;    // since the last frame: the next follows none
+    bool flies_ = false;    // a key that moves the camera is held
+    std::set<int> flyKeys_; // that are down and were pressed without Ctrl
+    int dragged_ = -1;      // the button that is held over the picture
     glm::dvec2 pointer_px_{0.0};
 };
 

@@ -101,9 +101,8 @@ void Session::fly(double elapsed_s)
     if (stage_.loaded() == nullptr || ui_.wantsKeys() ||
         either(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL))
         return;
-    const auto axis = [this](int more, int less) {
-        return (window_.isHeld(more) ? 1.0 : 0.0) - (window_.isHeld(less) ? 1.0 : 0.0);
-    };
+    const auto held = [this](int key) { return flyKeys_.contains(key) && window_.isHeld(key) ? 1.0 : 0.0; };
+    const auto axis = [&](int more, int less) { return held(more) - held(less); };
     const glm::dvec3 way(axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q),
                          axis(GLFW_KEY_W, GLFW_KEY_S));
     if (way == glm::dvec3(0.0))
@@ -118,6 +117,11 @@ void Session::fly(double elapsed_s)
 
 void Session::handleKey(const InputEvent& event)
 {
+    // A key that was pressed with Ctrl and outlasts it flies nowhere.
+    if (!event.down)
+        flyKeys_.erase(event.key);
+    else if (!event.again && !event.control)
+        flyKeys_.insert(event.key);
     if (!event.down || ui_.wantsKeys())
         return;
     if (event.key == GLFW_KEY_ESCAPE && !event.again) {

