@@ -119,6 +119,20 @@ bool FedChild::write(std::span<const std::uint8_t> bytes)
     return true;
 }
 
+bool FedChild::hasEnded() const
+{
+    siginfo_t ended{};
+    return process_ == 0 ||
+           (::waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOWAIT | WNOHANG) == 0 &&
+            ended.si_pid != 0);
+}
+
+void FedChild::interrupt() const
+{
+    if (process_ != 0)
+        ::kill(-process_, SIGTERM);
+}
+
 ChildOutcome FedChild::finish()
 {
     closeInput();

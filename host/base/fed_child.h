@@ -32,6 +32,12 @@ public:
     // Ends its input and waits. What it printed, on either stream, is in `error`.
     ChildOutcome finish();
 
+    // Whether finish() need not wait.
+    bool hasEnded() const;
+
+    // Asks it to end in good order, as Ctrl-C would.
+    void interrupt() const;
+
 private:
     FedChild(int process, int input, int printed);
     void closeInput();

@@ -1,5 +1,7 @@
 #include "live/model.h"
 
+#include <algorithm>
+
 namespace dioptre
 {
 
@@ -33,6 +35,24 @@ Camera cameraOf(const LiveModel& model, const Loaded& loaded)
     camera.target = vector("u_camera_target", camera.target);
     camera.fovY_deg = sliderOf(model, loaded, "u_fov_y_deg", {camera.fovY_deg})[0];
     return camera;
+}
+
+std::string pathOf(const std::string& pathAndValue)
+{
+    return pathAndValue.substr(0, pathAndValue.find('='));
+}
+
+void forgetGiven(LiveModel& model, const std::string& path)
+{
+    std::erase_if(model.given, [&](const std::string& given) { return pathOf(given) == path; });
+    model.look.values.erase(path);
+}
+
+bool isOverGiven(const LiveModel& model, const std::string& path)
+{
+    return std::ranges::any_of(model.given, [&](const std::string& given) {
+        return (path + ".").starts_with(pathOf(given) + ".") || pathOf(given).starts_with(path + ".");
+    });
 }
 
 Look wanted(const LiveModel& model)

@@ -51,6 +51,15 @@ std::vector<double> sliderOf(const LiveModel& model, const Loaded& loaded, const
 // The scene's camera as it is seen now, or that of a plain shader's uniforms.
 Camera cameraOf(const LiveModel& model, const Loaded& loaded);
 
+// "trace.budget" of "trace.budget=8".
+std::string pathOf(const std::string& pathAndValue);
+
+// What was changed by hand and is in the file by now: a --set of it is to come back no more.
+void forgetGiven(LiveModel& model, const std::string& path);
+
+// Whether a --set is about a part of that value, or about a whole that it is part of.
+bool isOverGiven(const LiveModel& model, const std::string& path);
+
 // The look with its changes as --set takes them.
 Look wanted(const LiveModel& model);
 

@@ -48,7 +48,8 @@ void Reloader::heardOfFiles()
     try {
         if (!watcher_.changed().empty())
             loader_.again();
-    } catch (const Error&) { // nothing can be watched any more: the next load finds it out and says so
+    } catch (const Error& error) { // of something new in a folder; what else has changed is told next
+        tellWatchFault(error);
         loader_.again();
     }
 }
@@ -99,8 +100,16 @@ void Reloader::tryPrograms(long number, const Loaded& loaded, bool toMeasure)
     trier_.start(number, loaded.trials, device_.drawLimit_s);
 }
 
+// From either thread.
+void Reloader::tellWatchFault(const Error& error)
+{
+    const std::lock_guard lock(watchFaultMutex_);
+    watchFault_ = error;
+}
+
 std::optional<Error> Reloader::takeWatchFault()
 {
+    const std::lock_guard lock(watchFaultMutex_);
     return std::exchange(watchFault_, std::nullopt);
 }
 
@@ -118,7 +127,7 @@ void Reloader::watch(const std::vector<std::filesystem::path>& files, const Load
     try {
         watcher_.watch({all.begin(), all.end()});
     } catch (const Error& error) { // too many watches: the picture is good all the same
-        watchFault_ = error;
+        tellWatchFault(error);
     }
 }
 
@@ -172,7 +181,8 @@ std::optional<ReloadOutcome> Reloader::heard(LoadOutcome heard, const Loaded* sh
     if (shown != nullptr && loaded.texts == shown->texts &&
         loaded.scene.has_value() == shown->scene.has_value()) {
         if (request.number == loader_.latest()) {
-            trier_.cancel();
+            if (!measuring_) // what is measured does no harm, and to end it takes its process
+                trier_.cancel();
             pending_.reset();
         }
         outcome.loaded = std::move(loaded);
@@ -193,6 +203,8 @@ std::optional<ReloadOutcome> Reloader::tried(const TrialReply& reply)
 {
     if (measuring_) {
         measuring_ = false;
+        if (reply.number != loader_.latest())
+            return std::nullopt; // of a picture that is shown no more
         ReloadOutcome measured;
         if (reply.fault.empty() && !reply.outcomes.empty())
             measured.lost = reply.outcomes.back().mean;

@@ -6,6 +6,7 @@
 #include "live/loader.h"
 #include "live/trier.h"
 
+#include <mutex>
 #include <optional>
 #include <set>
 
@@ -66,16 +67,18 @@ private:
                           const Loaded* shown) const;
     void tryPrograms(long number, const Loaded& loaded, bool toMeasure);
     void heardOfFiles();
+    void tellWatchFault(const Error& error);
     void watch(const std::vector<std::filesystem::path>& files, const Loaded* shown);
     ReloadOutcome outcomeOf(const LoadRequest& request) const;
 
     DeviceTraits device_;
+    std::mutex watchFaultMutex_;
+    std::optional<Error> watchFault_;
     Loader loader_;
     FileWatcher watcher_; // it calls the loader
     Trier trier_;
     std::optional<Loaded> pending_; // its programs are being tried
     bool measuring_ = false;        // the trial is one of measureLost()
-    std::optional<Error> watchFault_;
     bool changedMeanwhile_ = false; // while a file was not watched yet
 };
 

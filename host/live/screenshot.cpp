@@ -1,10 +1,11 @@
 #include "live/screenshot.h"
 
-#include "base/child_process.h"
 #include "live/camera_control.h"
 #include "live/panel_output_rows.h"
 
 #include <fmt/format.h>
+
+#include <cstring>
 
 namespace dioptre
 {
@@ -76,17 +77,29 @@ std::vector<std::string> renderWords(const LiveModel& model, const Loaded& loade
     return words;
 }
 
-ScreenshotJob startScreenshot(std::vector<std::string> words, const std::filesystem::path& file,
-                              const std::function<void()>& wake)
+ScreenshotJob::ScreenshotJob(std::vector<std::string> words, const std::filesystem::path& file) : file_(file)
 {
     words.insert(words.begin(), "/proc/self/exe");
-    return {file, std::async(std::launch::async, [words = std::move(words), wake] {
-                const auto outcome = runChild(words);
-                wake();
-                return !outcome             ? "no process can be started to draw it"
-                       : outcome->code != 0 ? outcome->error
-                                            : std::string();
-            })};
+    child_ = FedChild::start(words);
+}
+
+// Killed, it would leave what it has written so far.
+ScreenshotJob::~ScreenshotJob()
+{
+    if (child_ == nullptr || child_->hasEnded())
+        return;
+    child_->interrupt();
+    child_->finish();
+}
+
+std::string ScreenshotJob::fault()
+{
+    if (child_ == nullptr)
+        return "no process can be started to draw it";
+    const ChildOutcome outcome = child_->finish();
+    if (outcome.signal != 0)
+        return fmt::format("what drew it was ended ({})", ::strsignal(outcome.signal));
+    return outcome.code != 0 ? outcome.error : "";
 }
 
 } // namespace dioptre

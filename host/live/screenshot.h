@@ -1,11 +1,11 @@
 // A screenshot of any size: the command line's own picture of what the window shows.
 #pragma once
 
+#include "base/fed_child.h"
 #include "live/model.h"
 
 #include <filesystem>
-#include <future>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,13 +22,29 @@ std::vector<std::string> valuesShown(const LiveModel& model, const Loaded& loade
 std::vector<std::string> renderWords(const LiveModel& model, const Loaded& loaded, const std::string& size,
                                      const std::filesystem::path& file);
 
-struct ScreenshotJob {
-    std::filesystem::path file;
-    std::future<std::string> fault; // "" once it is written
-};
+// Draws beside the window. One that is dropped before its end leaves no file.
+class ScreenshotJob
+{
+public:
+    ScreenshotJob(std::vector<std::string> words, const std::filesystem::path& file);
+    ScreenshotJob(const ScreenshotJob&) = delete;
+    ScreenshotJob& operator=(const ScreenshotJob&) = delete;
+    ~ScreenshotJob();
 
-// Draws beside the window.
-ScreenshotJob startScreenshot(std::vector<std::string> words, const std::filesystem::path& file,
-                              const std::function<void()>& wake);
+    const std::filesystem::path& file() const
+    {
+        return file_;
+    }
+    bool isDone() const
+    {
+        return child_ == nullptr || child_->hasEnded();
+    }
+    // What went wrong, in words; "" where it is written. Waits until it is done.
+    std::string fault();
+
+private:
+    std::filesystem::path file_;
+    std::unique_ptr<FedChild> child_; // null where none could be started
+};
 
 } // namespace dioptre

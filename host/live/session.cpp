@@ -93,7 +93,8 @@ void Session::keep() const
 {
     if (options_.forget || !showsInput())
         return;
-    Remembered what{window_.isFullscreen() ? glm::ivec2(0) : model_.look.size_px, model_.showPanel, {}, {}};
+    Remembered what{
+        window_.isFullscreen() ? window_.sizeOnDesktop_px() : model_.look.size_px, model_.showPanel, {}, {}};
     if (stage_.loaded()->scene && model_.look.camera) {
         what.hand = model_.look.camera;
         what.own = stage_.loaded()->scene->atTime(0.0).camera;
@@ -243,6 +244,10 @@ bool Session::turn()
     window_.wait(waitTime_s());
     if (Interruption::signal() != 0)
         window_.close();
+    if (window_.isClosing()) {
+        window_.hide(); // what is under way may take a moment to end
+        return false;
+    }
     const auto now = Clock::now();
     const double elapsed_s = std::chrono::duration<double>(now - lastTurn_).count();
     lastTurn_ = now;
@@ -262,7 +267,7 @@ bool Session::turn()
     hearOfScreenshot();
     follow();
     paint();
-    return !window_.isClosing();
+    return true;
 }
 
 } // namespace dioptre

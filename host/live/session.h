@@ -88,6 +88,7 @@ private:
     bool actOnPicture(Action action);
     bool actOnFiles(Action action);
     void change(const std::string& path, const std::string& value);
+    double wantedNumber(const std::string& path, double shown) const;
     void raiseLights(double metres);
     void nextLightType();
     void nextOrder();

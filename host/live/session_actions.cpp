@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace dioptre
 {
@@ -23,6 +24,13 @@ std::string nextOf(const std::vector<std::string>& words, const std::string& wor
 
 } // namespace
 
+// A key that is pressed again goes on from what it asked for, which may not be shown yet.
+double Session::wantedNumber(const std::string& path, double shown) const
+{
+    const auto asked = model_.changes.find(path);
+    return asked == model_.changes.end() ? shown : std::strtod(asked->second.c_str(), nullptr);
+}
+
 void Session::change(const std::string& path, const std::string& value)
 {
     model_.changes[path] = value;
@@ -38,8 +46,10 @@ void Session::nextLightType()
         moved_ = true;
         return;
     }
-    const int type = static_cast<int>(loaded.scene->scene->trace.lightType);
-    change("trace.light_type", std::to_string((type + 1) % 3));
+    const std::string path = "trace.light_type";
+    const int type =
+        static_cast<int>(wantedNumber(path, static_cast<double>(loaded.scene->scene->trace.lightType)));
+    change(path, std::to_string((type + 1) % 3));
 }
 
 void Session::raiseLights(double metres)
@@ -52,9 +62,10 @@ void Session::raiseLights(double metres)
     }
     const auto& lights = loaded.scene->scene->lights;
     for (std::size_t i = 0; i < lights.size(); ++i)
-        if (lights[i].kind == Light::Kind::point || lights[i].kind == Light::Kind::spot)
-            model_.changes[fmt::format("light.{}.position.1", i)] =
-                fmt::format("{:.2f}", lights[i].position.y + metres);
+        if (lights[i].kind == Light::Kind::point || lights[i].kind == Light::Kind::spot) {
+            const std::string path = fmt::format("light.{}.position.1", i);
+            model_.changes[path] = fmt::format("{:.2f}", wantedNumber(path, lights[i].position.y) + metres);
+        }
     ask();
 }
 
@@ -62,11 +73,17 @@ void Session::nextOrder()
 {
     if (!stage_.loaded()->scene)
         return;
-    const TreeOrder now = stage_.loaded()->scene->scene->trace.order;
-    const auto found = std::ranges::find(treeOrders, now, &NamedChoice<TreeOrder>::choice);
-    const auto next = found + 1 == std::end(treeOrders) ? std::begin(treeOrders) : found + 1;
+    const std::string path = "trace.order";
+    const auto quoted = [](const auto& choice) { return fmt::format("\"{}\"", choice.name); };
+    const auto asked = model_.changes.find(path);
+    const auto now = std::ranges::find_if(treeOrders, [&](const auto& choice) {
+        return asked != model_.changes.end() ? asked->second == quoted(choice)
+                                             : choice.choice == stage_.loaded()->scene->scene->trace.order;
+    });
+    const auto next =
+        now == std::end(treeOrders) || now + 1 == std::end(treeOrders) ? std::begin(treeOrders) : now + 1;
     notice(fmt::format("method: {}", next->name));
-    change("trace.order", fmt::format("\"{}\"", next->name));
+    change(path, quoted(*next));
 }
 
 void Session::nextView()
@@ -88,9 +105,11 @@ void Session::changeBudget(int difference)
 {
     if (!stage_.loaded()->scene)
         return;
-    const int budget = std::clamp(stage_.loaded()->scene->prepared.plan.budget + difference, 1, 4096);
+    const std::string path = "trace.budget";
+    const int now = static_cast<int>(wantedNumber(path, stage_.loaded()->scene->prepared.plan.budget));
+    const int budget = std::clamp(now + difference, 1, 4096);
     notice(fmt::format("budget: {} rays a sample", budget));
-    change("trace.budget", std::to_string(budget));
+    change(path, std::to_string(budget));
 }
 
 void Session::changeSamples(int samples)

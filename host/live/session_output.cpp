@@ -7,6 +7,8 @@
 #include "render/annotation.h"
 #include "scene/document_edit.h"
 
+#include <utility>
+
 namespace dioptre
 {
 
@@ -34,8 +36,7 @@ void Session::screenshot()
         const auto path =
             freeName(options_.output.empty() ? model_.look.input.name + ".png" : options_.output);
         if (!options_.screenshotSize.empty()) {
-            shot_ = startScreenshot(renderWords(model_, *stage_.loaded(), options_.screenshotSize, path),
-                                    path, [] { Window::wake(); });
+            shot_.emplace(renderWords(model_, *stage_.loaded(), options_.screenshotSize, path), path);
             return notice("drawing " + path.string());
         }
         RenderOptions settings;
@@ -55,10 +56,10 @@ void Session::screenshot()
 
 void Session::hearOfScreenshot()
 {
-    if (!shot_ || shot_->fault.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    if (!shot_ || !shot_->isDone())
         return;
-    const std::string fault = shot_->fault.get();
-    const std::string file = shot_->file.string();
+    const std::string fault = shot_->fault();
+    const std::string file = shot_->file().string();
     shot_.reset();
     notice(fault.empty() ? "wrote " + file : fault);
     if (fault.empty())
@@ -81,7 +82,8 @@ void Session::writeBack()
             if (model_.frame.live.sliders.empty())
                 return notice("nothing was changed");
             writeFile(path, withDefaults(readFile(path), model_.frame.live.sliders));
-            model_.frame.live.sliders.clear();
+            for (const auto& [name, numbers] : std::exchange(model_.frame.live.sliders, {}))
+                forgetGiven(model_, name);
         } else {
             const std::size_t given = model_.given.size(); // by --set, and not by hand
             std::vector<std::string> values = valuesShown(model_, *stage_.loaded());
@@ -89,7 +91,10 @@ void Session::writeBack()
             if (values.empty())
                 return notice("nothing was changed");
             writeFile(path, withValues(readFile(path), path.string(), values));
-            model_.changes.clear();
+            for (const auto& value : values)
+                forgetGiven(model_, pathOf(value));
+            std::erase_if(model_.changes,
+                          [&](const auto& change) { return !isOverGiven(model_, change.first); });
             model_.display.reset();
         }
         notice("wrote " + path.filename().string());

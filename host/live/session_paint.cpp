@@ -46,7 +46,7 @@ double Session::waitTime_s()
         return 0.0;
     if (plays || flies_)
         return std::max(0.0005, frame_s - since_s(lastFrame_));
-    if (reloader_.compilingFor_s() > 0.0 || !model_.notice.empty() || looksElsewhere_)
+    if (reloader_.compilingFor_s() > 0.0 || !model_.notice.empty() || looksElsewhere_ || shot_)
         return 0.1;
     return 0.5;
 }

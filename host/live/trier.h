@@ -5,8 +5,7 @@
 
 #include <chrono>
 #include <functional>
-#include <mutex>
-#include <thread>
+#include <memory>
 
 namespace dioptre
 {
@@ -36,19 +35,19 @@ public:
     std::optional<TrialReply> take();
 
 private:
-    struct Mailbox; // what the reading thread leaves
+    struct Helper;
 
     void launch();
-    void end();
-    bool hasEnded() const;
+    void dismiss();
+    void send();
+    bool hasDied() const;
     std::optional<std::string> faultOfHelper();
 
     std::function<void()> wake_;
-    int process_ = 0;
-    int input_ = -1;
-    std::shared_ptr<Mailbox> mailbox_;
-    std::thread reader_;
-    long asked_ = 0; // 0: nothing is under way
+    std::shared_ptr<Helper> helper_; // null where none could be started
+    long asked_ = 0;                 // 0: nothing is under way
+    std::vector<std::uint8_t> sent_; // the last message
+    bool wasKilled_ = false;         // a helper, over that message
     std::chrono::steady_clock::time_point askedAt_;
     double limit_s_ = 0.0;
 };

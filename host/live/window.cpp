@@ -117,6 +117,15 @@ glm::ivec2 Window::size_px() const
     return size;
 }
 
+glm::ivec2 Window::sizeOnDesktop_px() const
+{
+    glm::ivec2 units{0};
+    glfwGetWindowSize(window_, &units.x, &units.y);
+    if (!isFullscreen() || units.x == 0 || units.y == 0)
+        return size_px();
+    return size_px() * glm::ivec2(beforeFullscreen_.width, beforeFullscreen_.height) / units;
+}
+
 // A pixel's centre is at a half, as gl_FragCoord has it; y counts from the lower left.
 glm::dvec2 Window::pixelAt(double x, double y) const
 {
@@ -136,6 +145,12 @@ bool Window::isClosing() const
 void Window::close()
 {
     glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+
+void Window::hide()
+{
+    glfwHideWindow(window_);
+    glfwPollEvents();
 }
 
 void Window::setTitle(const std::string& title)

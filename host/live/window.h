@@ -51,10 +51,12 @@ public:
     glm::ivec2 size_px() const; // of the picture in it; 0 while it is minimised
     bool isClosing() const;
     void close();
+    void hide();
     void setTitle(const std::string& title);
     void setClipboard(const std::string& text);
     void toggleFullscreen();
     bool isFullscreen() const;
+    glm::ivec2 sizeOnDesktop_px() const; // of the picture, where it is or was not fullscreen
 
     // Shows what was drawn.
     void swap();

@@ -72,8 +72,8 @@ protected:
     // Starts it, and waits for the window alone.
     void start(const std::vector<std::string>& words)
     {
-        std::vector<std::string> all{"--forget", "--no-panel"};
-        if (std::ranges::find(words, "--size") == words.end())
+        std::vector<std::string> all = usualWords;
+        if (!all.empty() && std::ranges::find(words, "--size") == words.end())
             all.insert(all.end(), {"--size", std::to_string(width) + "x" + std::to_string(height)});
         all.insert(all.end(), words.begin(), words.end());
         hand.reset();
@@ -141,6 +141,7 @@ protected:
                pixelOf(seen, freePlace.first, freePlace.second) == paint.rgb;
     }
 
+    std::vector<std::string> usualWords{"--forget", "--no-panel"}; // without any, no size is given either
     std::map<std::string, std::string> environment;
     std::optional<LiveProcess> program;
     std::optional<XDriver> hand;

@@ -87,14 +87,40 @@ TEST_F(Endless, HelperThatDiesIdle_IsReplacedUnseen)
     save(folder / "a.frag", green.shader());
     open({"a.frag"});
     ASSERT_TRUE(becomes(green));
-    const pid_t first = helper();
-    ::kill(first, SIGKILL);
-    std::this_thread::sleep_for(
-        std::chrono::milliseconds(500)); // nobody tells when the window has heard of it
-    save(folder / "a.frag", blue.shader());
+    for (const Paint* paint : {&blue, &white, &yellow}) {
+        const pid_t helperBefore = helper();
+        ::kill(helperBefore, SIGKILL);
+        save(folder / "a.frag", paint->shader());
+        program->next("shown");
+        EXPECT_TRUE(becomes(*paint)) << paint->letter;
+        EXPECT_FALSE(program->nextIfThere("error"));
+        EXPECT_NE(helper(), helperBefore);
+    }
+}
+
+// By somebody, or by a system that is short of memory: that tells nothing of the shader.
+TEST_F(Endless, HelperThatIsKilledAtWork_IsReplacedOnceUnseen)
+{
+    save(folder / "a.frag", green.shader());
+    open({"a.frag"});
+    ASSERT_TRUE(becomes(green));
+    const auto killAtWork = [&] {
+        const pid_t working = helper();
+        const double before_s = cpuOf_s(working);
+        ASSERT_TRUE(eventually([&] { return cpuOf_s(working) > before_s + 0.1; })) << "it does not compile";
+        ::kill(working, SIGKILL);
+        EXPECT_TRUE(eventually([&] { return helper() != working && helper() != 0; }));
+    };
+    save(folder / "a.frag", largeShader(blue));
+    killAtWork();
     program->next("shown");
     EXPECT_TRUE(becomes(blue));
-    EXPECT_FALSE(program->nextIfThere("error"));
+    save(folder / "a.frag", largeShader(white));
+    killAtWork();
+    killAtWork();
+    const auto event = program->next("error");
+    EXPECT_NE(event["text"].get<std::string>().find("was killed, twice"), std::string::npos) << event;
+    EXPECT_TRUE(eventually([&] { return isStaleOver(blue); }));
 }
 
 // A frame shows a moment: as many colours were seen as frames were.

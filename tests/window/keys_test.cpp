@@ -40,7 +40,7 @@ radius = 0.5
 // Below the notices.
 std::vector<std::uint8_t> lowerPart(const Picture& picture)
 {
-    const auto rows = static_cast<std::size_t>(picture.height) * 96 / 160;
+    const auto rows = static_cast<std::size_t>(picture.height) * 90 / 160;
     return {picture.bytes.begin(),
             picture.bytes.begin() +
                 static_cast<std::ptrdiff_t>(4 * rows * static_cast<std::size_t>(picture.width))};
@@ -256,9 +256,11 @@ TEST_F(Keys, WritingBack_KeepsComments)
     program->next("done");
     hand->wheel(2);
     program->next("done");
+    const Picture changed = settled();
     hand->tap("s", {"Control_L"});
     EXPECT_EQ(program->next("written")["file"], "a.toml");
     program->next("shown");
+    EXPECT_TRUE(lowerIs(changed));
     const std::string text = readFile(folder / "a.toml");
     for (const std::string part :
          {"# A comment above.\n[camera] # where one looks from\neye = [0.0, 1.0, 6.0]\n",
@@ -266,4 +268,50 @@ TEST_F(Keys, WritingBack_KeepsComments)
         EXPECT_NE(text.find(part), std::string::npos) << part << " not in\n" << text;
     EXPECT_EQ(text.find("fov_y_deg = 40.0"), std::string::npos) << text;
     EXPECT_FALSE(program->nextIfThere("error"));
+}
+
+// What the hand has written is not hidden by the words of the command line.
+TEST_F(Keys, WritingBackOverASet_KeepsThePicture)
+{
+    openBalls({"--set", "camera.fov_y_deg=50", "--set", "trace.light_type=0"});
+    hand->wheel(2);
+    program->next("done");
+    hand->tap("l");
+    program->next("shown");
+    program->next("done");
+    const Picture changed = settled();
+    hand->tap("s", {"Control_L"});
+    program->next("written");
+    program->next("shown");
+    EXPECT_TRUE(lowerIs(changed));
+    EXPECT_NE(readFile(folder / "a.toml").find("light_type = 1"), std::string::npos);
+}
+
+TEST_F(Keys, QuickPresses_AreCountedFromWhatWasAskedFor)
+{
+    openBalls();
+    const auto budgetAfter = [&](int presses) {
+        for (int i = 0; i < presses; ++i)
+            hand->tap("equal");
+        hand->tap("s", {"Control_L"});
+        program->next("written");
+        const std::string text = readFile(folder / "a.toml"), key = "budget = ";
+        EXPECT_NE(text.find(key), std::string::npos) << text;
+        return std::stoi(text.substr(text.find(key) + key.size()));
+    };
+    const int one = budgetAfter(1);
+    EXPECT_EQ(budgetAfter(5), one + 5);
+}
+
+TEST_F(Keys, MethodAndBudget_ChangeThePicture)
+{
+    const Picture first = openBalls({"--set", "trace.budget=1"});
+    hand->tap("equal"); // a second ray: what the mirror shows
+    program->next("shown");
+    EXPECT_TRUE(lowerChangesFrom(first)) << "one ray more";
+    const Picture more = settled();
+    hand->tap("minus");
+    program->next("shown");
+    EXPECT_TRUE(lowerIs(first)) << "one ray less";
+    EXPECT_NE(lowerPart(more), lowerPart(first));
 }

@@ -94,6 +94,23 @@ TEST_F(Rest, CloseButton_EndsTheWindowAndItsHelper)
     EXPECT_EQ(program->error(), "");
 }
 
+// One of ten seconds and more: nobody waits for it, and nothing of it is left.
+TEST_F(Rest, CloseButtonDuringAScreenshot_EndsBoth)
+{
+    save(folder / "a.toml", still);
+    open({"a.toml", "--spp", "64", "--screenshot", "8000x8000", "-o", "shot.png"});
+    hand->tap("p");
+    ASSERT_TRUE(eventually([&] { return program->children().size() == 2; }));
+    std::this_thread::sleep_for(500ms);
+    const auto children = program->children();
+    hand->askToClose();
+    EXPECT_EQ(program->ended(10.0), 0) << program->error();
+    for (const pid_t child : children)
+        EXPECT_TRUE(eventually([&] { return !isRunning(child); }, 10.0));
+    for (const auto& file : std::filesystem::directory_iterator(folder))
+        EXPECT_EQ(file.path().filename().string().find("shot"), std::string::npos) << file.path();
+}
+
 TEST_F(Rest, CloseButtonDuringAnEndlessShader_EndsAtOnce)
 {
     save(folder / "a.frag", "void mainImage(out vec4 c, in vec2 p) { for (;;) {} }\n");
