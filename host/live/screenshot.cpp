@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace dioptre
@@ -34,7 +35,8 @@ std::filesystem::path freeName(const std::filesystem::path& pattern)
     }
 }
 
-std::vector<std::string> valuesShown(const LiveModel& model, const Loaded& loaded)
+std::vector<std::string> valuesShown(const LiveModel& model, const Loaded& loaded,
+                                     const std::vector<std::string>& read)
 {
     std::vector<std::string> values = wanted(model).overrides;
     if (const auto encode = model.look.values.find("u_encode"); encode != model.look.values.end())
@@ -49,13 +51,15 @@ std::vector<std::string> valuesShown(const LiveModel& model, const Loaded& loade
         return values;
     // Sliders, and what keys and mouse move.
     for (const auto& [name, numbers] : hostUniforms(model.frame, 1, 1, {}))
-        if (const auto start = loaded.sliders.find(name);
-            start != loaded.sliders.end() && start->second != numbers)
+        if (const auto start = loaded.sliders.find(name); start != loaded.sliders.end() &&
+                                                          start->second != numbers &&
+                                                          std::ranges::find(read, name) != read.end())
             values.push_back(name + "=" + listOf(numbers));
     return values;
 }
 
-std::vector<std::string> renderWords(const LiveModel& model, const Loaded& loaded, const std::string& size,
+std::vector<std::string> renderWords(const LiveModel& model, const Loaded& loaded,
+                                     const std::vector<std::string>& read, const std::string& size,
                                      const std::filesystem::path& file)
 {
     const Look& look = model.look;
@@ -67,7 +71,7 @@ std::vector<std::string> renderWords(const LiveModel& model, const Loaded& loade
         words.insert(words.end(), {"--spp", std::to_string(look.samples)});
     if (look.view != DataView::none)
         words.insert(words.end(), {"--view", std::string(rowOf(look.view).name)});
-    for (const auto& value : valuesShown(model, loaded))
+    for (const auto& value : valuesShown(model, loaded, read))
         words.insert(words.end(), {"--set", value});
     for (const auto& folder : look.places.included)
         words.insert(words.end(), {"--include", folder.string()});

@@ -15,11 +15,14 @@ namespace dioptre
 // "still_life-1.png", or the first number that no file has yet.
 std::filesystem::path freeName(const std::filesystem::path& pattern);
 
-// What the window shows as --set says it: its changes, its camera, its display.
-std::vector<std::string> valuesShown(const LiveModel& model, const Loaded& loaded);
+// What the window shows as --set says it: its changes, its camera, its display. `read`: the uniforms that a
+// plain shader reads; those that it only declares are refused by --set.
+std::vector<std::string> valuesShown(const LiveModel& model, const Loaded& loaded,
+                                     const std::vector<std::string>& read);
 
 // The words behind `dioptre` that draw it into a file.
-std::vector<std::string> renderWords(const LiveModel& model, const Loaded& loaded, const std::string& size,
+std::vector<std::string> renderWords(const LiveModel& model, const Loaded& loaded,
+                                     const std::vector<std::string>& read, const std::string& size,
                                      const std::filesystem::path& file);
 
 // Draws beside the window. One that is dropped before its end leaves no file.

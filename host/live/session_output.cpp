@@ -36,7 +36,9 @@ void Session::screenshot()
         const auto path =
             freeName(options_.output.empty() ? model_.look.input.name + ".png" : options_.output);
         if (!options_.screenshotSize.empty()) {
-            shot_.emplace(renderWords(model_, *stage_.loaded(), options_.screenshotSize, path), path);
+            shot_.emplace(
+                renderWords(model_, *stage_.loaded(), stage_.facts().uniforms, options_.screenshotSize, path),
+                path);
             return notice("drawing " + path.string());
         }
         RenderOptions settings;
@@ -45,7 +47,7 @@ void Session::screenshot()
         settings.width = stage_.shown().size_px().x;
         settings.height = stage_.shown().size_px().y;
         settings.time_s = model_.clock.time_s();
-        settings.overrides = valuesShown(model_, *stage_.loaded());
+        settings.overrides = valuesShown(model_, *stage_.loaded(), stage_.facts().uniforms);
         writePng(path, stage_.shown().read(), {}, settingsOf(settings, window_.context()));
         notice("wrote " + path.string());
         log_.say("screenshot", {{"file", path.string()}});
@@ -86,7 +88,7 @@ void Session::writeBack()
                 forgetGiven(model_, name);
         } else {
             const std::size_t given = model_.given.size(); // by --set, and not by hand
-            std::vector<std::string> values = valuesShown(model_, *stage_.loaded());
+            std::vector<std::string> values = valuesShown(model_, *stage_.loaded(), stage_.facts().uniforms);
             values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(given));
             if (values.empty())
                 return notice("nothing was changed");

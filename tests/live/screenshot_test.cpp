@@ -26,6 +26,8 @@ Loaded plainLoaded()
     return loaded;
 }
 
+const Words allRead{"u_size", "u_tint", "u_light_type", "u_camera_position"};
+
 bool holds(const Words& words, const std::string& word)
 {
     return std::ranges::find(words, word) != words.end();
@@ -57,7 +59,7 @@ TEST_F(Screenshot, NameInAFolderThatCannotBeLookedAt_IsTheFirst)
 
 TEST_F(Screenshot, NothingMoved_NothingTold)
 {
-    EXPECT_TRUE(valuesShown(LiveModel(LiveOptions{}), plainLoaded()).empty());
+    EXPECT_TRUE(valuesShown(LiveModel(LiveOptions{}), plainLoaded(), allRead).empty());
 }
 
 TEST_F(Screenshot, OfAPlainShader_TellsSlidersKeysAndMouse)
@@ -67,16 +69,26 @@ TEST_F(Screenshot, OfAPlainShader_TellsSlidersKeysAndMouse)
     model.frame.live.lightType = LightType::lightsOnly;
     model.frame.live.camera = Camera{};
     model.frame.live.camera->eye = {1.0, 2.0, 3.0};
-    const Words told = valuesShown(model, plainLoaded());
+    const Words told = valuesShown(model, plainLoaded(), allRead);
     EXPECT_EQ(told, (Words{"u_camera_position=[1, 2, 3]", "u_light_type=2", "u_size=2.5",
                            "u_tint=[0.25, 0.5, 1]"}));
+}
+
+// --set refuses them, and the picture has none of them.
+TEST_F(Screenshot, OfUniformsThatAreOnlyDeclared_TellsNothing)
+{
+    LiveModel model(LiveOptions{});
+    model.frame.live.sliders = {{"u_size", {2.5}}};
+    model.frame.live.camera = Camera{};
+    model.frame.live.camera->eye = {1.0, 2.0, 3.0};
+    EXPECT_EQ(valuesShown(model, plainLoaded(), {"u_size"}), Words{"u_size=2.5"});
 }
 
 TEST_F(Screenshot, OfARadiancePicture_IsEncodedAsInTheWindow)
 {
     LiveModel model(LiveOptions{});
     model.look.values["u_encode"] = "true";
-    EXPECT_TRUE(holds(valuesShown(model, plainLoaded()), "u_encode=true"));
+    EXPECT_TRUE(holds(valuesShown(model, plainLoaded(), allRead), "u_encode=true"));
 }
 
 TEST_F(Screenshot, Words_AreTheCommandLinesOwn)
@@ -87,7 +99,7 @@ TEST_F(Screenshot, Words_AreTheCommandLinesOwn)
     model.look.places.included = {"here"};
     model.look.channels[2] = "b.png?filter=nearest";
     model.given = {"u_size=4"};
-    const Words words = renderWords(model, plainLoaded(), "320x200", "out-1.png");
+    const Words words = renderWords(model, plainLoaded(), allRead, "320x200", "out-1.png");
     EXPECT_EQ(words, (Words{"render", "a.frag", "-o", "out-1.png", "--size", "320x200", "--time", "1.5",
                             "--set", "u_size=4", "--include", "here", "--channel2", "b.png?filter=nearest"}));
 }

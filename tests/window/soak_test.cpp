@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <random>
+#include <sys/prctl.h>
 #include <thread>
 
 using namespace dioptre;
@@ -120,6 +121,12 @@ private:
 class Soak : public InAWindow, public testing::WithParamInterface<bool>
 {
 protected:
+    // The window inherits it. Heaps are counted in small pages: in large ones a byte more may be 2 MiB more.
+    Soak()
+    {
+        ::prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0);
+    }
+
     // Of each of the two. $DIOPTRE_SOAK: as many as its user has patience for.
     int edits() const
     {
