@@ -108,8 +108,10 @@ TEST_F(Memory, SizePanelAndCamera_AreThereAgain_AndNothingInTheProject)
     hand->resize(300, 200);
     hand->moveTo(290, 190);
     hand->tap("Tab");
-    hand->wheel(2);
     EXPECT_TRUE(eventually([&] { return hand->size() == std::pair(300, 200); }));
+    const Picture before = settled();
+    hand->wheel(2);
+    EXPECT_TRUE(changesFrom(before));
     const Picture left = settled();
     leave();
     open({"a.toml", "--spp", "1"});

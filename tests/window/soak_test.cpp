@@ -215,7 +215,7 @@ TEST_P(Soak, AnyEdits_LeakNothingAndEndWithTheRightPicture)
     std::cout << "resident: " << quarter_mib << " MiB after a quarter, " << end_mib << " at the end\n";
     // A few edits do not come to where memory stands still: they are held to a bound that a leak of a picture
     // an edit would break.
-    EXPECT_LT(end_mib, (edits() >= 1000 ? 1.01 : 1.05) * quarter_mib);
+    EXPECT_LT(end_mib, (edits() >= 500 ? 1.01 : 1.05) * quarter_mib);
     hand->tap("q", {"Control_L"});
     EXPECT_EQ(program->ended(), 0) << program->error();
 }
