@@ -127,4 +127,11 @@ std::optional<ChildOutcome> runChild(const std::vector<std::string>& command,
     return outcome;
 }
 
+bool hasEnded(pid_t child)
+{
+    siginfo_t ended{};
+    return ::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT | WNOHANG) == 0 &&
+           ended.si_pid != 0;
+}
+
 } // namespace dioptre

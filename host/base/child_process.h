@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <sys/types.h>
 #include <vector>
 
 namespace dioptre
@@ -23,5 +24,8 @@ struct ChildOutcome {
 // nothing where it cannot be started.
 std::optional<ChildOutcome> runChild(const std::vector<std::string>& command,
                                      const std::map<std::string, std::string>& environment = {});
+
+// Whether a child has ended and nobody has waited for it yet; it is left so.
+bool hasEnded(pid_t child);
 
 } // namespace dioptre

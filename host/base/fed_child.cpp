@@ -121,10 +121,7 @@ bool FedChild::write(std::span<const std::uint8_t> bytes)
 
 bool FedChild::hasEnded() const
 {
-    siginfo_t ended{};
-    return process_ == 0 ||
-           (::waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOWAIT | WNOHANG) == 0 &&
-            ended.si_pid != 0);
+    return process_ == 0 || dioptre::hasEnded(process_);
 }
 
 void FedChild::interrupt() const

@@ -1,5 +1,7 @@
 #include "live/model.h"
 
+#include "live/panel_row.h"
+
 #include <algorithm>
 
 namespace dioptre
@@ -50,9 +52,8 @@ void forgetGiven(LiveModel& model, const std::string& path)
 
 bool isOverGiven(const LiveModel& model, const std::string& path)
 {
-    return std::ranges::any_of(model.given, [&](const std::string& given) {
-        return (path + ".").starts_with(pathOf(given) + ".") || pathOf(given).starts_with(path + ".");
-    });
+    return std::ranges::any_of(model.given,
+                               [&](const std::string& given) { return overlap(path, pathOf(given)); });
 }
 
 Look wanted(const LiveModel& model)

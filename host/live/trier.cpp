@@ -1,5 +1,6 @@
 #include "live/trier.h"
 
+#include "base/child_process.h"
 #include "live/helper.h"
 
 #include <fmt/format.h>
@@ -141,11 +142,8 @@ void Trier::dismiss()
 // By itself, while nobody spoke with it.
 bool Trier::hasDied() const
 {
-    siginfo_t ended{};
     const std::lock_guard lock(helper_->mutex);
-    return helper_->status ||
-           (::waitid(P_PID, static_cast<id_t>(helper_->process), &ended, WEXITED | WNOWAIT | WNOHANG) == 0 &&
-            ended.si_pid != 0);
+    return helper_->status || hasEnded(helper_->process);
 }
 
 void Trier::start(long number, std::vector<ProgramTrial> trials, double drawLimit_s)

@@ -45,6 +45,21 @@ struct Paint {
 inline const Paint green{{0, 255, 0}, 'g'}, blue{{0, 0, 255}, 'b'}, white{{255, 255, 255}, 'w'},
     yellow{{255, 255, 0}, 'y'}, cyan{{0, 255, 255}, 'c'}, magenta{{255, 0, 255}, 'm'};
 
+// A scene of which every part of the picture changes with the camera.
+inline const std::string oneBall = R"([camera]
+eye = [0.0, 1.0, 6.0]
+target = [0.0, 0.0, 0.0]
+fov_y_deg = 40.0
+[sky]
+gradient = [[0.1, 0.1, 0.2], [0.3, 0.3, 0.4], [0.2, 0.4, 0.8]]
+[[light]]
+kind = "ambient"
+ambient = [0.3, 0.3, 0.3]
+[[sphere]]
+centre = [1.0, 0.0, 0.0]
+radius = 1.0
+)";
+
 // The program, its window, and a user's hand on it. Windows are small, so that a software renderer is done
 // with them at once; a place is left that no overlay but the help reaches.
 class InAWindow : public InAFolder

@@ -37,6 +37,32 @@ radius = 0.5
 # The last comment.
 )";
 
+// The orders trace other five rays of a pixel.
+const std::string glass = R"([camera]
+eye = [0.0, 1.0, 6.0]
+target = [0.0, 0.0, 0.0]
+fov_y_deg = 40.0
+[sky]
+gradient = [[0.1, 0.1, 0.2], [0.3, 0.3, 0.4], [0.2, 0.4, 0.8]]
+[trace]
+budget = 5
+order = "heaviest-first"
+[material.glass]
+transmit = 1.0
+ior = 1.5
+[[light]]
+kind = "ambient"
+ambient = [0.3, 0.3, 0.3]
+[[sphere]]
+centre = [0.0, 0.0, 0.0]
+radius = 1.5
+material = "glass"
+[[sphere]]
+centre = [0.5, 0.0, -2.0]
+radius = 1.0
+material = "glass"
+)";
+
 // Below the notices.
 std::vector<std::uint8_t> lowerPart(const Picture& picture)
 {
@@ -128,6 +154,25 @@ TEST_F(Keys, WhatIsTraced_ChangesAndIsDroppedBitForBit)
     hand->tap("v");
     program->next("shown");
     EXPECT_TRUE(lowerChangesFrom(first)) << "a view";
+}
+
+TEST_F(Keys, Method_ComesRoundToTheFirstBitForBit)
+{
+    save(folder / "a.toml", glass);
+    open({"a.toml", "--spp", "1"});
+    program->next("done");
+    const Picture heaviest = settled();
+    hand->tap("m");
+    program->next("shown");
+    EXPECT_TRUE(lowerChangesFrom(heaviest));
+    const Picture breadth = settled();
+    hand->tap("m");
+    program->next("shown");
+    EXPECT_TRUE(lowerChangesFrom(breadth));
+    EXPECT_NE(lowerPart(settled()), lowerPart(heaviest));
+    hand->tap("m");
+    program->next("shown");
+    EXPECT_TRUE(lowerIs(heaviest));
 }
 
 TEST_F(Keys, Samples_AreDoubledAndHalved)

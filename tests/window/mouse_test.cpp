@@ -9,20 +9,6 @@ using namespace dioptre::test;
 namespace
 {
 
-const std::string scene = R"([camera]
-eye = [0.0, 1.0, 6.0]
-target = [0.0, 0.0, 0.0]
-fov_y_deg = 40.0
-[sky]
-gradient = [[0.1, 0.1, 0.2], [0.3, 0.3, 0.4], [0.2, 0.4, 0.8]]
-[[light]]
-kind = "ambient"
-ambient = [0.3, 0.3, 0.3]
-[[sphere]]
-centre = [1.0, 0.0, 0.0]
-radius = 1.0
-)";
-
 // iMouse.xy and the sign of z as the left half's colour, |z|, |w| and the sign of w as the right's.
 const std::string mouseShader = R"(void mainImage(out vec4 c, in vec2 p)
 {
@@ -54,7 +40,7 @@ protected:
 
 TEST_F(Mouse, EveryGesture_MovesTheCamera_AndRBringsItBackBitForBit)
 {
-    save(folder / "a.toml", scene);
+    save(folder / "a.toml", oneBall);
     open({"a.toml", "--spp", "1"});
     program->next("done");
     const Picture first = settled();
@@ -102,7 +88,7 @@ TEST_F(Mouse, EveryGesture_MovesTheCamera_AndRBringsItBackBitForBit)
 // A full turn: a drag over the picture's height is half of one.
 TEST_F(Mouse, Orbit_OfAFullTurn_EndsWhereItBegan)
 {
-    save(folder / "a.toml", scene);
+    save(folder / "a.toml", oneBall);
     open({"a.toml", "--spp", "1", "--size", "500x160"});
     program->next("done");
     const Picture first = settled();

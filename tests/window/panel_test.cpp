@@ -10,20 +10,6 @@ using namespace dioptre::test;
 namespace
 {
 
-const std::string scene = R"([camera]
-eye = [0.0, 1.0, 6.0]
-target = [0.0, 0.0, 0.0]
-fov_y_deg = 40.0
-[sky]
-gradient = [[0.1, 0.1, 0.2], [0.3, 0.3, 0.4], [0.2, 0.4, 0.8]]
-[[light]]
-kind = "ambient"
-ambient = [0.3, 0.3, 0.3]
-[[sphere]]
-centre = [1.0, 0.0, 0.0]
-radius = 1.0
-)";
-
 const std::string slider = "uniform float u_share; // 0.25 [0, 1] the picture's red\nvoid mainImage(out vec4 "
                            "c, in vec2 p) { c = vec4(u_share, 0.0, 0.5, 1.0); }\n";
 
@@ -33,7 +19,7 @@ protected:
     Panel()
     {
         usualWords = {"--forget"};
-        save(folder / "a.toml", scene);
+        save(folder / "a.toml", oneBall);
         save(folder / "a.frag", slider);
     }
 
@@ -51,7 +37,7 @@ protected:
     Memory()
     {
         usualWords = {};
-        save(folder / "a.toml", scene);
+        save(folder / "a.toml", oneBall);
     }
     void leave()
     {
@@ -121,7 +107,7 @@ TEST_F(Memory, SizePanelAndCamera_AreThereAgain_AndNothingInTheProject)
     leave();
     open({"a.toml", "--spp", "1"});
     EXPECT_TRUE(eventually([&] { return hand->see().bytes == left.bytes; })) << hand->size().first;
-    EXPECT_EQ(readFile(folder / "a.toml"), scene);
+    EXPECT_EQ(readFile(folder / "a.toml"), oneBall);
     for (const auto& file : std::filesystem::directory_iterator(folder))
         EXPECT_TRUE(file.path().filename() == "a.toml" || file.path().filename() == "state" ||
                     file.path().filename() == "stderr")
@@ -132,7 +118,7 @@ TEST_F(Memory, SizePanelAndCamera_AreThereAgain_AndNothingInTheProject)
     leave();
 
     // Another camera in the file: what the hand left belongs to the one before.
-    std::string edited = scene;
+    std::string edited = oneBall;
     edited.replace(edited.find("40.0"), 4, "55.0");
     save(folder / "a.toml", edited);
     open({"a.toml", "--spp", "1"});
