@@ -16,7 +16,7 @@ namespace
 
 // Below the window, whose picture goes on; far enough above nothing that an idle machine notices no
 // difference.
-constexpr int niceness = 10;
+constexpr int niceness = 5;
 
 // The window's own kind of context first: drivers keep what they compile by what draws it.
 std::unique_ptr<Context> helperContext()

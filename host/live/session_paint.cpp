@@ -13,6 +13,7 @@ namespace
 using Clock = LiveClock::Clock;
 
 constexpr double frame_s = 1.0 / 60.0;
+constexpr double yieldedShare = 0.6;   // of a frame, to the compiler after each
 constexpr double drawBudget_ms = 25.0; // between two looks at the keys
 constexpr double notice_s = 4.0;
 constexpr double look_s = 0.15; // between two looks at the plan while the camera moves
@@ -39,9 +40,9 @@ double Session::waitTime_s()
     const bool draws = isToDraw();
     const bool plays = stage_.loaded() != nullptr && stage_.facts().usesTime && !model_.clock.isPaused();
     const bool compiles = reloader_.compilingFor_s() > 0.0;
-    // The compiler works at low priority: a picture that runs leaves it every other moment.
+    // The compiler works at low priority: a picture that runs leaves it some of its time.
     if (compiles && (plays || moved_) && !stage_.isBegun())
-        return std::clamp(0.001 * stage_.facts().sample_ms, 0.0, 0.5);
+        return std::clamp(0.001 * yieldedShare * stage_.facts().sample_ms, 0.0, 0.5);
     if (draws || paints_ > 0 || moved_)
         return 0.0;
     if (plays || flies_)
