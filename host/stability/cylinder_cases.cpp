@@ -113,11 +113,11 @@ double impactOf(const RayProblem& problem)
 
 void grazing(RandomFloats& random, Problems& problems)
 {
+    const double wanted = random.signedDecades(-8, -2); // once: the finest are the hardest to draw
     for (;;) {
         RayProblem problem = genericCylinder(random, eitherKind(random));
         const glm::dvec3 middle = partOf(problem, 0) + 0.5 * partOf(problem, 3);
         const glm::dvec3 origin = asFloat(middle + random.away(8.0 * problem.p[6], 30.0 * problem.p[6]));
-        const double wanted = random.signedDecades(-8, -2);
         const double z = random.within(0.05, 0.95);
         aimBeside(problem, origin, z, random.sign() * (1.0 + wanted) * problem.p[6]);
         if (grazesAsWanted(impactOf(problem) / problem.p[6] - 1.0, wanted)) {

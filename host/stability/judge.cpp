@@ -115,7 +115,8 @@ CaseFigures measureCase(const CaseRow& row, std::span<const RayProblem> problems
     figures.relativeT_p999 = relative.empty() ? 0.0 : quantile(relative, 0.999);
     figures.flips = perMillion(flips, problems.size());
     figures.flipsOverMargin = perMillion(flipsOverMargin, problems.size());
-    figures.leaks = perMillion(countLeaks(row.group, truth, answers), problems.size() / row.group);
+    if (row.group > 1)
+        figures.leaks = perMillion(countLeaks(row.group, truth, answers), problems.size() / row.group);
     return figures;
 }
 

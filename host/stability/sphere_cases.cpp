@@ -83,12 +83,12 @@ double impactOf(const RayProblem& problem)
 
 void grazing(RandomFloats& random, Problems& problems)
 {
+    const double wanted = random.signedDecades(-8, -2); // once: the finest are the hardest to draw
     for (;;) {
         const double radius = random.decades(-1, 1);
         RayProblem problem = sphere(random.inCube(radius), radius);
         const glm::dvec3 centre = partOf(problem, 0);
         const glm::dvec3 origin = asFloat(centre + random.away(2.0 * radius, 20.0 * radius));
-        const double wanted = random.signedDecades(-8, -2);
         const glm::dvec3 aside = random.across(centre - origin);
         aim(problem, origin, passingPoint(origin, centre, aside, (1.0 + wanted) * problem.p[3]));
         if (grazesAsWanted(impactOf(problem) / problem.p[3] - 1.0, wanted)) {

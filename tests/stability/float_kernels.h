@@ -56,4 +56,25 @@ inline DeviceAnswer hainesSphere(const RayProblem& problem)
     return answer;
 }
 
+// Curvature form, for the surface through the origin with the normal +y there; Spencer and
+// Murty, "General ray-tracing procedure", 1962. A = half the curvature, B and C from the point nearest to the
+// origin.
+inline DeviceAnswer curvedGround(const RayProblem& problem)
+{
+    const glm::vec3 w(problem.origin);
+    const glm::vec3 direction(problem.direction);
+    const glm::vec3 up(0.0F, 1.0F, 0.0F);
+    const float curvature = 1.0F / static_cast<float>(problem.p[3]);
+    const float a = 0.5F * curvature * glm::dot(direction, direction);
+    const float b = curvature * glm::dot(w, direction) + glm::dot(up, direction);
+    const float c = 0.5F * curvature * glm::dot(w, w) + glm::dot(up, w);
+    const float discriminant = b * b - 4.0F * a * c;
+    const float root = std::sqrt(std::max(discriminant, 0.0F));
+    const float q = -0.5F * (b + (b >= 0.0F ? root : -root));
+    DeviceAnswer answer =
+        answerOf(problem, discriminant >= 0.0F, std::min(q / a, c / q), std::max(q / a, c / q));
+    answer.normal = glm::dvec3(up + curvature * (w + static_cast<float>(answer.t) * direction));
+    return answer;
+}
+
 } // namespace dioptre
