@@ -107,7 +107,7 @@ TEST(Stability_Cases, Problems_AreTheSameOnEveryPlatform)
     std::uint64_t all = 0;
     for (const CaseRow& row : caseRows())
         all = all * 31 + fingerprint(problemsOf(row.name, 1, 600));
-    EXPECT_EQ(all, 0U);
+    EXPECT_EQ(all, 1311666054178130432U);
 }
 
 TEST(Stability_Cases, EveryNumber_IsAFloat)
