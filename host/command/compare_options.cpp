@@ -32,19 +32,17 @@ void addCompare(CLI::App& app, CompareOptions& options)
         ->type_name("N")
         ->capture_default_str();
     command
-        ->add_option(
-            "--exposure", options.exposure,
-            "HDR and EXR, for PSNR and SSIM: radiance is multiplied by 2^STOPS before it is clamped to "
-            "what a display shows")
+        ->add_option("--exposure", options.exposure,
+                     "HDR and EXR: radiance is multiplied by 2^STOPS before it is clamped to what a display "
+                     "shows (PSNR, SSIM, LDR-FLIP)")
         ->type_name("STOPS");
     std::vector<std::string> curves;
     for (const auto& row : toneCurves)
         curves.emplace_back(row.name);
     command
-        ->add_option(
-            "--curve", options.curve,
-            "HDR and EXR, for PSNR and SSIM: how radiance becomes 0 to 1 after the exposure, as render "
-            "has it; none by default")
+        ->add_option("--curve", options.curve,
+                     "HDR and EXR: how radiance becomes 0 to 1 after the exposure, as render "
+                     "has it; none by default")
         ->check(CLI::IsMember(curves))
         ->type_name("CURVE");
     command->add_flag("--json", options.json, "print figures as JSON");

@@ -40,9 +40,11 @@ std::string displayText(const Comparison& comparison)
 {
     const bool equal = std::isinf(comparison.psnr_db);
     return fmt::format(
-        "display     PSNR {}, SSIM {}; exposure {} stops, curve {}, clamped to 0..{} and sRGB\n",
-        equal ? "equal" : figure(comparison.psnr_db) + " dB", figure(comparison.ssim),
-        comparison.display.exposure, curveName(comparison.display.curve), psnrPeak);
+        "display     PSNR {} (peak {}), SSIM {} ({}x{} Gaussian, sigma {}, K {} and {}, luminance); "
+        "exposure {} stops, curve {}, clamped to 0..1, sRGB\n",
+        equal ? "equal" : figure(comparison.psnr_db) + " dB", psnrPeak, figure(comparison.ssim),
+        ssimWindow_px, ssimWindow_px, ssimSigma_px, ssimK1, ssimK2, comparison.display.exposure,
+        curveName(comparison.display.curve));
 }
 
 std::string flipText(const CompareOptions& options, const Comparison& comparison)
