@@ -20,11 +20,19 @@ bool isDisplayed(const std::string& path)
     return start == "\x89PN" || start == "\xff\xd8\xff";
 }
 
-void refuseIdleDisplay(const CompareOptions& options, const ComparedPictures& compared)
+// CLI11's own range lets NaN pass.
+void refuseBadNumbers(const CompareOptions& options)
 {
+    if (!(options.pixelsPerDegree >= 1.0 && options.pixelsPerDegree <= 1000.0))
+        fail(ExitCode::usage, fmt::format("--ppd {} is out of reach", options.pixelsPerDegree),
+             "give a number of pixels a degree from 1 to 1000");
     if (options.exposure && !(std::abs(*options.exposure) <= 100.0))
         fail(ExitCode::usage, fmt::format("--exposure {} is out of reach", *options.exposure),
              "give a number of stops from -100 to 100");
+}
+
+void refuseIdleDisplay(const CompareOptions& options, const ComparedPictures& compared)
+{
     if (compared.displayedReference && compared.displayedPicture &&
         (options.exposure || !options.curve.empty()))
         fail(ExitCode::usage,
@@ -37,6 +45,7 @@ void refuseIdleDisplay(const CompareOptions& options, const ComparedPictures& co
 
 ComparedPictures readCompared(const CompareOptions& options)
 {
+    refuseBadNumbers(options);
     ComparedPictures compared;
     compared.displayedReference = isDisplayed(options.reference);
     compared.displayedPicture = isDisplayed(options.picture);

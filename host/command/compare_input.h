@@ -13,7 +13,8 @@ struct ComparedPictures {
     bool displayedPicture = true;
 };
 
-// Throws inputMissing, badInput; usage for an --exposure or --curve that no picture heeds.
+// Throws inputMissing, badInput; usage for numbers out of reach, and for an --exposure or --curve that no
+// picture heeds.
 ComparedPictures readCompared(const CompareOptions& options);
 
 } // namespace dioptre

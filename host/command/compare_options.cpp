@@ -24,11 +24,10 @@ void addCompare(CLI::App& app, CompareOptions& options)
             "pixel is not finite; or .hdr and .exr, |PICTURE - REFERENCE| of each channel")
         ->type_name("FILE");
     command
-        ->add_option(
-            "--ppd", options.pixelsPerDegree,
-            "FLIP: pixels a degree of the viewer's field; 67 is a display of 3840 pixels on 0.7 m seen "
-            "from 0.7 m")
-        ->check(CLI::Range(1.0, 1000.0))
+        ->add_option("--ppd", options.pixelsPerDegree,
+                     "FLIP: pixels a degree of the viewer's field, 1 to 1000; 67 is a display of 3840 pixels "
+                     "on 0.7 m seen "
+                     "from 0.7 m")
         ->type_name("N")
         ->capture_default_str();
     command
