@@ -3,7 +3,7 @@
 #include "base/clock.h"
 #include "base/interruption.h"
 #include "command/compare_input.h"
-#include "command/comparison.h"
+#include "command/compare_result.h"
 #include "command/difference_picture.h"
 #include "command/progress.h"
 #include "metric/psnr.h"
@@ -41,35 +41,35 @@ std::vector<float> flipErrors(const CompareOptions& options, const ComparedPictu
     });
 }
 
-Comparison measured(const CompareOptions& options, const ComparedPictures& compared)
+CompareResult measured(const CompareOptions& options, const ComparedPictures& compared)
 {
     const PicturePair& pair = compared.pair;
     const bool hdr = !compared.displayedReference && !compared.displayedPicture;
     std::unique_ptr<PictureWriter> file;
     if (!options.output.empty())
         file = openDifference(options, pair.width, pair.height, hdr);
-    Comparison comparison;
-    comparison.width = pair.width;
-    comparison.height = pair.height;
-    comparison.nonfiniteReference = pair.nonfiniteReference;
-    comparison.nonfinitePicture = pair.nonfinitePicture;
-    comparison.linear = linearError(pair);
-    comparison.display = displayOf(options);
-    const PicturePair shown = displayed(pair, compared.displayedReference ? Display{} : comparison.display,
-                                        compared.displayedPicture ? Display{} : comparison.display);
+    CompareResult result;
+    result.width = pair.width;
+    result.height = pair.height;
+    result.nonfiniteReference = pair.nonfiniteReference;
+    result.nonfinitePicture = pair.nonfinitePicture;
+    result.linear = linearError(pair);
+    result.display = displayOf(options);
+    const PicturePair shown = displayed(pair, compared.displayedReference ? Display{} : result.display,
+                                        compared.displayedPicture ? Display{} : result.display);
     const PicturePair sent = encoded(shown);
-    comparison.psnr_db = psnr_db(sent);
+    result.psnr_db = psnr_db(sent);
     Interruption::check();
-    comparison.ssim = ssim(sent);
+    result.ssim = ssim(sent);
     Interruption::check();
     if (hdr)
-        comparison.exposures = flipExposures(pair);
-    const std::vector<float> errors = flipErrors(options, compared, shown, comparison.exposures);
-    comparison.flip = pooled(errors, pair.judged);
+        result.exposures = flipExposures(pair);
+    const std::vector<float> errors = flipErrors(options, compared, shown, result.exposures);
+    result.flip = pooled(errors, pair.judged);
     Interruption::check();
     if (file)
         writeDifference(*file, options, pair, errors);
-    return comparison;
+    return result;
 }
 
 } // namespace
@@ -79,14 +79,13 @@ ExitCode compare(const CompareOptions& options)
     Stopwatch whole;
     refuseBadDifference(options); // before anything is read
     const ComparedPictures compared = readCompared(options);
-    Comparison comparison;
-    if (const int signal = signalDuring([&] { comparison = measured(options, compared); }); signal != 0) {
+    CompareResult result;
+    if (const int signal = signalDuring([&] { result = measured(options, compared); }); signal != 0) {
         fmt::print(stderr, "dioptre: stopped by a signal, and nothing was written\n");
         endBySignal(signal);
     }
-    comparison.total_ms = whole.lap_ms();
-    fmt::print("{}",
-               options.json ? comparisonJson(options, comparison) : comparisonText(options, comparison));
+    result.total_ms = whole.lap_ms();
+    fmt::print("{}", options.json ? compareJson(options, result) : compareText(options, result));
     return ExitCode::done;
 }
 

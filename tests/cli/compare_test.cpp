@@ -20,7 +20,7 @@ using namespace dioptre::test;
 namespace
 {
 
-constexpr int width = 24, height = 16;
+constexpr int wide = 24, high = 16;
 
 class CompareCommand : public InAFolder
 {
@@ -28,7 +28,7 @@ protected:
     // Rows from the bottom; of three numbers each.
     using Painter = std::function<std::array<float, 3>(int x, int y)>;
 
-    static Picture painted(const Painter& colourAt, int columns = width, int rows = height)
+    static Picture painted(const Painter& colourAt, int columns = wide, int rows = high)
     {
         Picture picture = blankFloats(columns, rows);
         for (int y = 0; y < rows; ++y)
@@ -47,8 +47,8 @@ protected:
     static Painter ramp(float factor)
     {
         return [factor](int x, int y) {
-            return std::array{factor * static_cast<float>(x + 1) / width, factor * 0.5f,
-                              factor * static_cast<float>(y + 1) / height};
+            return std::array{factor * static_cast<float>(x + 1) / wide, factor * 0.5f,
+                              factor * static_cast<float>(y + 1) / high};
         };
     }
 
@@ -81,7 +81,7 @@ TEST_F(CompareCommand, Radiance_IsMeasuredUnclamped)
     const auto found = figures("a.exr b.exr");
     EXPECT_EQ(found["reference"], "a.exr");
     EXPECT_EQ(found["picture"], "b.exr");
-    EXPECT_EQ(found["size"], (std::vector<int>{width, height}));
+    EXPECT_EQ(found["size"], (std::vector<int>{wide, high}));
     EXPECT_DOUBLE_EQ(found["linear"]["rmse"], 1.5);
     EXPECT_DOUBLE_EQ(found["linear"]["mae"], 1.5);
     EXPECT_NEAR(found["linear"]["relmse"].get<double>(), std::pow(1.5 / 2.01, 2), 1e-12);
@@ -117,7 +117,7 @@ TEST_F(CompareCommand, LargestError_IsCountedFromTheUpperLeft)
           }));
     const auto found = figures("a.exr b.exr");
     EXPECT_EQ(found["linear"]["max"], 1.5);
-    EXPECT_EQ(found["linear"]["max_at_px"], (std::vector<int>{5, height - 1 - 3}));
+    EXPECT_EQ(found["linear"]["max_at_px"], (std::vector<int>{5, high - 1 - 3}));
     const auto outcome = here("dioptre compare a.exr b.exr");
     EXPECT_NE(outcome.out.find("largest 1.5 at 5,12 from the upper left"), std::string::npos) << outcome.out;
 }
@@ -185,7 +185,7 @@ TEST_F(CompareCommand, PixelsThatAreNotFinite_AreCountedSaidAndLeftOut)
     write("b.exr", painted(holed));
     const auto found = figures("a.exr b.exr");
     EXPECT_EQ(found["nonfinite"]["reference"], 0);
-    EXPECT_EQ(found["nonfinite"]["picture"], height);
+    EXPECT_EQ(found["nonfinite"]["picture"], high);
     EXPECT_EQ(found["linear"]["rmse"], 0.0);
     EXPECT_EQ(found["flip"]["max"], 0.0);
     const auto text = here("dioptre compare a.exr b.exr").out;

@@ -15,16 +15,22 @@ double luminance(const glm::dvec3& encoded)
 
 } // namespace
 
-// Entries 0, 128 and 255 of 256 in matplotlib's _cm_listed.py.
-TEST(Magma, EndsAndMiddle_AreMatplotlibs)
+// Every tenth part of matplotlib's 256 entries, from its _cm_listed.py.
+TEST(Magma, Colours_AreMatplotlibsWithinTwoHundredths)
 {
-    const auto expectNear = [](const glm::dvec3& colour, const glm::dvec3& listed) {
-        for (int i = 0; i < 3; ++i)
-            EXPECT_NEAR(colour[i], listed[i], 0.02);
+    struct Entry {
+        int index;
+        glm::dvec3 colour;
     };
-    expectNear(magma(0.0), {0.001462, 0.000466, 0.013866});
-    expectNear(magma(128.0 / 255.0), {0.716387, 0.214982, 0.475290});
-    expectNear(magma(1.0), {0.987053, 0.991438, 0.749504});
+    for (const auto& [index, colour] :
+         {Entry{0, {0.001462, 0.000466, 0.013866}}, Entry{25, {0.078815, 0.054184, 0.211667}},
+          Entry{51, {0.232077, 0.059889, 0.437695}}, Entry{76, {0.390384, 0.100379, 0.501864}},
+          Entry{102, {0.550287, 0.161158, 0.505719}}, Entry{128, {0.716387, 0.214982, 0.475290}},
+          Entry{153, {0.868793, 0.287728, 0.409303}}, Entry{179, {0.967671, 0.439703, 0.359810}},
+          Entry{204, {0.994738, 0.624350, 0.427397}}, Entry{230, {0.995680, 0.812706, 0.572645}},
+          Entry{255, {0.987053, 0.991438, 0.749504}}})
+        for (int channel = 0; channel < 3; ++channel)
+            EXPECT_NEAR(magma(index / 255.0)[channel], colour[channel], 0.02) << index << " " << channel;
 }
 
 TEST(Magma, LargerErrors_AreLighter)

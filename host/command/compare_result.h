@@ -8,7 +8,7 @@
 namespace dioptre
 {
 
-struct Comparison {
+struct CompareResult {
     int width = 0;  // pixels
     int height = 0; // pixels
     LinearError linear;
@@ -22,7 +22,7 @@ struct Comparison {
     double total_ms = 0.0;                  // from the start of reading to the end of writing
 };
 
-std::string comparisonText(const CompareOptions& options, const Comparison& comparison);
-std::string comparisonJson(const CompareOptions& options, const Comparison& comparison);
+std::string compareText(const CompareOptions& options, const CompareResult& result);
+std::string compareJson(const CompareOptions& options, const CompareResult& result);
 
 } // namespace dioptre
