@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "command/bench_options.h"
+#include "command/compare.h"
 #include "command/include_option.h"
 #include "command/join.h"
 #include "command/live_options.h"
@@ -221,6 +222,8 @@ ExitCode runCommandLine(const std::vector<std::string>& arguments, const WindowC
     addBench(app, benchOptions);
     JoinOptions joinOptions;
     addJoin(app, joinOptions);
+    CompareOptions compareOptions;
+    addCompare(app, compareOptions);
     DoctorOptions doctorOptions;
     addDoctor(app, doctorOptions);
     ListOptions listOptions;
@@ -246,6 +249,8 @@ ExitCode runCommandLine(const std::vector<std::string>& arguments, const WindowC
         return bench(benchOptions);
     if (app.got_subcommand("join"))
         return joinTiles(joinOptions);
+    if (app.got_subcommand("compare"))
+        return compare(compareOptions);
     if (app.got_subcommand("doctor"))
         return doctor(doctorOptions);
     if (app.got_subcommand("list"))

@@ -1,5 +1,6 @@
 // What a file holds decides how it is read, and not its name; and where the faces of a cube lie.
 #include "base/picture.h"
+#include "support/forged_pictures.h"
 #include "support/in_a_folder.h"
 
 #include <gtest/gtest.h>
@@ -12,22 +13,6 @@ using namespace dioptre::test;
 
 namespace
 {
-
-// A grey JPEG of 8x8 texels, one block: the DC coefficient alone, so that every texel is 128 + 64 * 8 / 8 =
-// 192.
-std::string greyJpeg()
-{
-    std::string bytes("\xFF\xD8", 2);
-    bytes += std::string("\xFF\xDB\x00\x43\x00", 5) + std::string(64, '\x08');        // all divide by 8
-    bytes += std::string("\xFF\xC0\x00\x0B\x08\x00\x08\x00\x08\x01\x01\x11\x00", 13); // 8x8, one component
-    // One code for DC: "0" is category 7. One for AC: "0" is the end of the block.
-    bytes += std::string("\xFF\xC4\x00\x14\x00\x01", 6) + std::string(15, '\0') + '\x07';
-    bytes += std::string("\xFF\xC4\x00\x14\x10\x01", 6) + std::string(15, '\0') + '\0';
-    bytes += std::string("\xFF\xDA\x00\x08\x01\x01\x00\x00\x3F\x00", 10);
-    // 0, 1000000 = 64, 0, and ones to the end of the byte.
-    bytes += std::string("\x40\x7F", 2);
-    return bytes + std::string("\xFF\xD9", 2);
-}
 
 class ChannelKinds : public InAFolder
 {

@@ -113,6 +113,20 @@ std::string forgedJpeg(std::uint16_t width, std::uint16_t height)
     return bytes + std::string(1000, '\0');
 }
 
+std::string greyJpeg()
+{
+    std::string bytes("\xFF\xD8", 2);
+    bytes += std::string("\xFF\xDB\x00\x43\x00", 5) + std::string(64, '\x08');        // all divide by 8
+    bytes += std::string("\xFF\xC0\x00\x0B\x08\x00\x08\x00\x08\x01\x01\x11\x00", 13); // 8x8, one component
+    // One code for DC: "0" is category 7. One for AC: "0" is the end of the block.
+    bytes += std::string("\xFF\xC4\x00\x14\x00\x01", 6) + std::string(15, '\0') + '\x07';
+    bytes += std::string("\xFF\xC4\x00\x14\x10\x01", 6) + std::string(15, '\0') + '\0';
+    bytes += std::string("\xFF\xDA\x00\x08\x01\x01\x00\x00\x3F\x00", 10);
+    // 0, 1000000 = 64, 0, and ones to the end of the byte.
+    bytes += std::string("\x40\x7F", 2);
+    return bytes + std::string("\xFF\xD9", 2);
+}
+
 std::string forgedRadiance(const std::string& sizeLine)
 {
     return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + sizeLine + "\n" + std::string(64, '\2');

@@ -19,6 +19,10 @@ std::string pngWithText(std::size_t bytes);
 // A start of frame and no scan.
 std::string forgedJpeg(std::uint16_t width, std::uint16_t height);
 
+// A JPEG that keeps its word: grey, 8x8 texels, one block of the DC coefficient alone, so that every texel is
+// 128 + 64 * 8 / 8 = 192.
+std::string greyJpeg();
+
 // A header and 64 bytes.
 std::string forgedRadiance(const std::string& sizeLine);
 
