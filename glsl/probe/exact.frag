@@ -8,7 +8,8 @@
 uniform sampler2D u_pairs; // red and green: a and b
 out vec4 o_exact;          // sum, its error, product, its error
 
-#include "probe/exact.glsl"
+#include "shared/constants.glsl"
+#include "kernel/exact.glsl"
 
 void main()
 {

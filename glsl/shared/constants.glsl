@@ -8,6 +8,16 @@ const float FAR_AWAY = 1.0e30;
 // Nearer than this a point light grows no brighter; metres. A glowing sphere uses its radius.
 const float NEAREST_LIGHT = 1.0e-3;
 
+// Half the distance from 1 to the next number, and what splits a number into halves of its bits (Dekker): of the float
+// arithmetic at hand.
+#ifdef HAS_DOUBLE
+const float UNIT_ROUNDOFF = 1.1102230246251565e-16;
+const float SPLITTER = 134217729.0;
+#else
+const float UNIT_ROUNDOFF = 5.9604644775390625e-8;
+const float SPLITTER = 4097.0;
+#endif
+
 // Shape kinds.
 const int KIND_SPHERE = 0;
 const int KIND_OPEN_CYLINDER = 1;

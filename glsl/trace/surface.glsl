@@ -1,47 +1,12 @@
 // What a ray finds where it meets an object: place, normal, coordinates and colour.
 
+#include "trace/normal.glsl"
+
 struct Surface {
     vec3 position; // scene frame, metres
     vec3 normal;   // unit, on the viewer's side
     vec3 colour;   // reflectance, with picture and pattern
 };
-
-// The unit normal on the outer (front) side. Round shapes take it from the place relative to their anchor, less its part
-// along the axis on a cylinder's side; never from the difference of two places of the scene.
-vec3 outwardNormal(Ray ray, Nearest hit, int kind, Shape shape)
-{
-    vec3 normal = shape.axis.xyz;
-#ifdef HAS_ROUND_SHAPE
-    vec3 place = (ray.origin - shape.anchor.xyz) + hit.t * ray.direction;
-    bool round = false;
-#ifdef HAS_SPHERE
-    round = kind == KIND_SPHERE;
-#endif
-#ifdef HAS_CYLINDER
-    bool side = (kind == KIND_OPEN_CYLINDER || kind == KIND_CAPPED_CYLINDER) && !hit.cap;
-    place = side ? place - dot(place, normal) * normal : place;
-    round = round || side;
-#endif
-    vec3 radial = normalize(place);
-#ifdef HAS_CAPPED_CYLINDER
-    // A ray that runs up the axis leaves through the top and enters through the base.
-    bool base = hit.cap && (dot(ray.direction, normal) > 0.0) != hit.inside;
-    normal = base ? -normal : normal;
-#endif
-    normal = round ? radial : normal;
-#endif
-    return normal;
-}
-
-// The point that was met. On a sphere it is the centre plus the radius along the normal: no error of t enters.
-vec3 hitPosition(Ray ray, Nearest hit, int kind, Shape shape, vec3 outward)
-{
-    vec3 position = ray.origin + hit.t * ray.direction;
-#ifdef HAS_SPHERE
-    position = kind == KIND_SPHERE ? shape.anchor.xyz + shape.anchor.w * outward : position;
-#endif
-    return position;
-}
 
 #ifdef HAS_COORDINATES
 // Coordinates on a surface: `metres` along it for patterns, `picture` in 0..1 with `extent` metres to that 1, and whether

@@ -20,7 +20,9 @@ namespace packed
 {
 using vec4 = glm::dvec4;
 #define float double
+#define HAS_DOUBLE
 #include "../glsl/shared/constants.glsl"
+#undef HAS_DOUBLE
 #include "../glsl/shared/structs.glsl"
 #undef float
 

@@ -69,6 +69,7 @@ namespace reference
 
 // GLSL reads float; the reference computes in double.
 #define float double
+#define HAS_DOUBLE
 
 #include "shared/constants.glsl"
 using packed::Camera;

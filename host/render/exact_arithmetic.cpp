@@ -4,6 +4,7 @@
 #include "render/device_scene.h"
 #include "render/probe.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -32,7 +33,7 @@ float floatOf(std::uint32_t sign, int exponent, std::uint32_t mantissa)
 
 Extremes testExtremes(const std::filesystem::path& glslFolder)
 {
-    const Program program = useProbe(glslFolder, "extremes");
+    const Program program = useProbe(glslFolder, "probe/extremes");
     glUniform1f(locationOf(program, "u_large"), 1.0e20F);
     glUniform1f(locationOf(program, "u_small"), 1.0e-20F);
     glUniform1f(locationOf(program, "u_zero"), 0.0F);
@@ -89,7 +90,7 @@ ExactArithmetic testExactArithmetic(const std::filesystem::path& glslFolder, boo
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, table.name());
     const auto test = [&](const std::set<std::string>& features) {
-        const Program program = useProbe(glslFolder, "exact", features);
+        const Program program = useProbe(glslFolder, "probe/exact", features);
         glUniform1i(locationOf(program, "u_pairs"), 0);
         glUniform1f(locationOf(program, "u_one"), 1.0F);
         return judgeExact(pairs, drawProbe(tableSide, tableSide).floats);

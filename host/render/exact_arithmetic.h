@@ -27,7 +27,7 @@ struct Tally {
     }
 };
 
-// Of glsl/probe/exact.glsl, compiled in one way.
+// Of glsl/kernel/exact.glsl, compiled in one way.
 struct ExactTally {
     Tally twoSum;     // Knuth's
     Tally twoProduct; // Dekker's, or by fma() where that is what was compiled

@@ -52,7 +52,7 @@ Reached run(const Program& program, int pixels, long first, long second)
 
 LoopCanary measureLoops(const std::filesystem::path& glslFolder)
 {
-    Program program = useProbe(glslFolder, "loops");
+    Program program = useProbe(glslFolder, "probe/loops");
     const Reached one = run(program, 1, asked, 0);
     LoopCanary canary;
     canary.asked = asked;
@@ -60,7 +60,7 @@ LoopCanary measureLoops(const std::filesystem::path& glslFolder)
     canary.askedOfTwo = canary.ran * 3 / 4;
     const Reached two = run(program, 1, canary.askedOfTwo, canary.askedOfTwo);
     canary.ranOfTwo = two.least;
-    program = useProbe(glslFolder, "loops", {"HAS_TURNS"});
+    program = useProbe(glslFolder, "probe/loops", {"HAS_TURNS"});
     canary.askedOfNeighbours = canary.ran * 3 / 4;
     const Reached turns = run(program, neighbours, canary.askedOfNeighbours, 0);
     canary.ranOfNeighbours = turns.least[0];

@@ -20,7 +20,7 @@ SourceText probeText(const std::filesystem::path& glslFolder, const std::string&
     PreprocessInput input;
     input.search.folders = {glslFolder};
     input.features = features;
-    const std::string include = "#include \"probe/" + name + ".frag\"";
+    const std::string include = "#include \"" + name + ".frag\"";
     return preprocess(linesOf("#version 330 core\n" + include, "generated"), input);
 }
 
@@ -45,7 +45,7 @@ FloatSums probeFloatSums(const std::filesystem::path& glslFolder)
     constexpr std::array<std::array<float, 4>, 3> addends{{{0.1F, 65521.5F, -3.0e-7F, 1.0F},
                                                            {0.7F, 1.0e6F, 1.0e-9F, 6.0e-8F},
                                                            {-0.3F, 1.0e8F, 2.0e-3F, 6.0e-8F}}};
-    const Program program = useProbe(glslFolder, "add");
+    const Program program = useProbe(glslFolder, "probe/add");
     const auto target = makeAccumulationTarget(1, 1);
     std::array<double, 4> sums{};
     for (const auto& addend : addends) {
@@ -67,7 +67,7 @@ FloatSums probeFloatSums(const std::filesystem::path& glslFolder)
 
 Clocks probeClocks(const std::filesystem::path& glslFolder)
 {
-    const Program program = useProbe(glslFolder, "loops");
+    const Program program = useProbe(glslFolder, "probe/loops");
     glUniform2i(locationOf(program, "u_limits"), 500, 0);
     // llvmpipe's query tells of the last tiles of 64x64 pixels alone, so that one tile would hide its lie.
     const auto target = makeAccumulationTarget(512, 512);

@@ -12,7 +12,7 @@
 namespace dioptre
 {
 
-// glsl/probe/NAME.frag with the given HAS_ features. Throws badInput, inputMissing.
+// glsl/NAME.frag, "probe/add" for one, with the given HAS_ features. Throws badInput, inputMissing.
 SourceText probeText(const std::filesystem::path& glslFolder, const std::string& name,
                      const std::set<std::string>& features = {});
 

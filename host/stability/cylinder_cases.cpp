@@ -6,6 +6,8 @@
 
 namespace dioptre
 {
+namespace cylinder_topic
+{
 namespace
 {
 
@@ -162,10 +164,11 @@ const std::array rows{
 };
 
 } // namespace
+} // namespace cylinder_topic
 
 std::span<const CaseRow> cylinderCases()
 {
-    return rows;
+    return cylinder_topic::rows;
 }
 
 } // namespace dioptre

@@ -6,6 +6,8 @@
 
 namespace dioptre
 {
+namespace flat_topic
+{
 namespace
 {
 
@@ -190,15 +192,16 @@ const std::array rows{
     CaseRow{"R01", "a parallelogram, generic", true, genericGate, rectangle},
     CaseRow{"T01", "a triangle, generic", true, genericGate, triangle},
     CaseRow{"T02", "a needle of a triangle, 1e-5 high", false, {.relativeT_p999 = 1e-6}, needle},
-    CaseRow{"T06", "a triangle at 1e-3..1e-2 rad", false, {.relativeT_p999 = 1e-3}, grazedTriangle},
+    CaseRow{"T06", "a triangle at 1e-3..1e-2 rad", false, {.relativeT_p999 = 1e-6}, grazedTriangle},
     CaseRow{"T08", "a triangle of 0.1 mm", false, {.flipsOverMargin = 0.0}, tinyTriangle},
 };
 
 } // namespace
+} // namespace flat_topic
 
 std::span<const CaseRow> flatCases()
 {
-    return rows;
+    return flat_topic::rows;
 }
 
 } // namespace dioptre

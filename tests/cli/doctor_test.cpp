@@ -16,13 +16,12 @@ nlohmann::json findings(const std::string& command)
     return nlohmann::json::parse(outcome.out);
 }
 
-// With a copy of glsl/ in which one file of probe/ is edited by sed.
-Outcome withEditedProbe(const std::string& file, const std::string& edit)
+// With a copy of glsl/ in which one file is edited by sed.
+Outcome withEdited(const std::string& file, const std::string& edit)
 {
     return run("cd $(mktemp -d) && trap 'rm -rf \"$PWD\"' EXIT && cp -r '" DIOPTRE_SOURCE_DIR
                "/glsl' g && sed -i '" +
-               edit + "' g/probe/" + file + " && ! cmp -s g/probe/" + file +
-               " '" DIOPTRE_SOURCE_DIR "/glsl/probe/" + file +
+               edit + "' g/" + file + " && ! cmp -s g/" + file + " '" DIOPTRE_SOURCE_DIR "/glsl/" + file +
                "' && DIOPTRE_GLSL=$PWD/g dioptre doctor --backend egl-surfaceless");
 }
 
@@ -148,7 +147,7 @@ TEST(DoctorCommand, ADriverThatEndsTheProcess_IsAFinding)
 
 TEST(DoctorCommand, LoopsThatEndTooSoon_FailTheCheck)
 {
-    const Outcome outcome = withEditedProbe("loops.frag", "s/i < limit;/i < limit \\&\\& i < 1000;/");
+    const Outcome outcome = withEdited("probe/loops.frag", "s/i < limit;/i < limit \\&\\& i < 1000;/");
     EXPECT_EQ(outcome.code, 1) << outcome.error;
     expectSays(outcome.out,
                {"loops end silently after 1000", "verdict: pictures drawn here may be wrong", "65535"});
@@ -156,14 +155,14 @@ TEST(DoctorCommand, LoopsThatEndTooSoon_FailTheCheck)
 
 TEST(DoctorCommand, LoopsThatOnlyCount_FailTheCheck)
 {
-    const Outcome outcome = withEditedProbe("loops.frag", "s/return 1664525u/return 1664527u/");
+    const Outcome outcome = withEdited("probe/loops.frag", "s/return 1664525u/return 1664527u/");
     EXPECT_EQ(outcome.code, 1) << outcome.error;
     expectSays(outcome.out, {"loops do not compute what they should"});
 }
 
 TEST(DoctorCommand, SamplesThatDoNotAddUp_FailTheCheck)
 {
-    const Outcome outcome = withEditedProbe("add.frag", "s/= u_addend;/= 1.001 * u_addend;/");
+    const Outcome outcome = withEdited("probe/add.frag", "s/= u_addend;/= 1.001 * u_addend;/");
     EXPECT_EQ(outcome.code, 1) << outcome.error;
     expectSays(outcome.out, {"samples do not add up"});
 }
@@ -172,7 +171,7 @@ TEST(DoctorCommand, SamplesThatDoNotAddUp_FailTheCheck)
 TEST(DoctorCommand, ArithmeticThatIsNotExact_IsToldAndPasses)
 {
     const Outcome outcome =
-        withEditedProbe("exact.glsl", "s/return vec2(sum, error);/return vec2(sum, 0.0);/");
+        withEdited("kernel/exact.glsl", "s/return vec2(sum, error);/return vec2(sum, 0.0);/");
     EXPECT_EQ(outcome.code, 0) << outcome.error;
     expectSays(outcome.out, {"=> compensated kernels are off"});
 }

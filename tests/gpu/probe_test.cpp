@@ -117,7 +117,7 @@ TEST_P(Probe, ArctangentByPolynomial_IsWithinAThousandthOfATexelInEveryDirection
 {
     constexpr int reach = 128;
     constexpr int side = 2 * reach + 1;
-    const Program program = useProbe(glslFolder(), "arctangent", {"HAS_ARCTANGENT_POLYNOMIAL"});
+    const Program program = useProbe(glslFolder(), "probe/arctangent", {"HAS_ARCTANGENT_POLYNOMIAL"});
     double worst = 0.0, worstOfDriver = 0.0;
     for (const float unit : {1.0F, -1.0F}) { // zeros of both signs
         glUniform1f(locationOf(program, "u_unit"), unit);
@@ -163,7 +163,7 @@ TEST(ProbeShaders, GlslangValidator_AcceptsThemAsGlsl330)
     const auto file =
         std::filesystem::temp_directory_path() / ("dioptre-probe-" + std::to_string(getpid()) + ".frag");
     for (const auto& [name, features] : variants) {
-        SourceText text = probeText(glslFolder(), name, features);
+        SourceText text = probeText(glslFolder(), "probe/" + name, features);
         if (features.contains("HAS_GPU_SHADER5")) // of which glslang knows a part below GLSL 4.00
             text.front().text = "#version 400 core";
         std::ofstream(file) << flatten(text);

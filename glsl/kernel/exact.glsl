@@ -1,0 +1,58 @@
+// Sums and products of floats without loss, and vectors of two floats a component that are made of them.
+
+// What keeps the compiler from regrouping: `precise` on every intermediate, or factors of 1 that it cannot know.
+#ifdef HAS_PRECISE
+#define EXACT precise float
+#define EXACT_VECTOR precise vec3
+#else
+#define EXACT float
+#define EXACT_VECTOR vec3
+#endif
+#ifdef HAS_UNIT
+uniform float u_one; // 1
+#define HELD(x) (u_one * (x))
+#else
+#define HELD(x) (x)
+#endif
+
+// x: a + b rounded, y: its error. Knuth, The Art of Computer Programming 2, section 4.2.2, theorem B.
+vec2 twoSum(float a, float b)
+{
+    EXACT sum = a + b;
+    EXACT bRounded = HELD(sum) - a;
+    EXACT aRounded = sum - HELD(bRounded);
+    EXACT error = (a - aRounded) + (b - bRounded);
+    return vec2(sum, error);
+}
+
+#ifdef HAS_FMA
+// x: a b rounded, y: its error, by one rounding of a b - x.
+vec2 twoProduct(float a, float b)
+{
+    EXACT product = a * b;
+    EXACT error = fma(a, b, -product);
+    return vec2(product, error);
+}
+#else
+// x + y = a, each of half the bits, so that their products are exact. Veltkamp; Dekker, Numerische Mathematik 18 (1971).
+vec2 halves(float a)
+{
+    EXACT scaled = SPLITTER * a;
+    EXACT upper = scaled - HELD(scaled - a);
+    EXACT lower = a - upper;
+    return vec2(upper, lower);
+}
+
+// x: a b rounded, y: its error. Dekker 1971.
+vec2 twoProduct(float a, float b)
+{
+    vec2 p = halves(a);
+    vec2 q = halves(b);
+    EXACT product = a * b;
+    EXACT e1 = p.x * q.x - product;
+    EXACT e2 = e1 + p.x * q.y;
+    EXACT e3 = e2 + p.y * q.x;
+    EXACT error = e3 + p.y * q.y;
+    return vec2(product, error);
+}
+#endif
