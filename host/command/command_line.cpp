@@ -7,6 +7,7 @@
 #include "command/join.h"
 #include "command/live_options.h"
 #include "command/size_option.h"
+#include "command/stability.h"
 #include "gl/context.h"
 #include "render/data_view.h"
 #include "render/layers.h"
@@ -206,6 +207,53 @@ void refuseUnknownCommand(const CLI::App& app, const std::vector<std::string>& a
              "the commands are: " + join(names, ", "));
 }
 
+// Of all commands; one of them is filled.
+struct CommandOptions {
+    RenderOptions render;
+    std::string renderSize = "1280x720";
+    LiveOptions live;
+    BenchOptions bench;
+    JoinOptions join;
+    CompareOptions compare;
+    StabilityOptions stability;
+    DoctorOptions doctor;
+    ListOptions list;
+};
+
+void addCommands(CLI::App& app, CommandOptions& options)
+{
+    addRender(app, options.render, options.renderSize);
+    addLive(app, options.live);
+    addBench(app, options.bench);
+    addJoin(app, options.join);
+    addCompare(app, options.compare);
+    addStability(app, options.stability);
+    addDoctor(app, options.doctor);
+    addList(app, options.list);
+}
+
+ExitCode runNamed(const CLI::App& app, CommandOptions& options, const WindowCommands& windows)
+{
+    if (app.got_subcommand("live"))
+        return windows.live(options.live);
+    if (app.got_subcommand("bench") && options.bench.reload)
+        return windows.benchReload(reloadOptions(options.bench));
+    if (app.got_subcommand("bench"))
+        return bench(options.bench);
+    if (app.got_subcommand("join"))
+        return joinTiles(options.join);
+    if (app.got_subcommand("compare"))
+        return compare(options.compare);
+    if (app.got_subcommand("stability"))
+        return stability(options.stability);
+    if (app.got_subcommand("doctor"))
+        return doctor(options.doctor);
+    if (app.got_subcommand("list"))
+        return list(options.list);
+    readSize(options.renderSize, options.render.width, options.render.height);
+    return render(options.render);
+}
+
 } // namespace
 
 ExitCode runCommandLine(const std::vector<std::string>& arguments, const WindowCommands& windows)
@@ -213,21 +261,8 @@ ExitCode runCommandLine(const std::vector<std::string>& arguments, const WindowC
     CLI::App app{"dioptre: ray tracing by one GLSL fragment shader", "dioptre"};
     app.set_version_flag("--version", std::string("dioptre ") + DIOPTRE_VERSION);
     app.require_subcommand(1);
-    RenderOptions options;
-    std::string size = "1280x720";
-    addRender(app, options, size);
-    LiveOptions liveOptions;
-    addLive(app, liveOptions);
-    BenchOptions benchOptions;
-    addBench(app, benchOptions);
-    JoinOptions joinOptions;
-    addJoin(app, joinOptions);
-    CompareOptions compareOptions;
-    addCompare(app, compareOptions);
-    DoctorOptions doctorOptions;
-    addDoctor(app, doctorOptions);
-    ListOptions listOptions;
-    addList(app, listOptions);
+    CommandOptions options;
+    addCommands(app, options);
     refuseUnknownCommand(app, arguments);
     try {
         // CLI11 takes the arguments from the back.
@@ -241,22 +276,7 @@ ExitCode runCommandLine(const std::vector<std::string>& arguments, const WindowC
         fail(ExitCode::usage, error.what(),
              "run 'dioptre " + (named ? arguments.front() + " " : "") + "--help' for the options");
     }
-    if (app.got_subcommand("live"))
-        return windows.live(liveOptions);
-    if (app.got_subcommand("bench") && benchOptions.reload)
-        return windows.benchReload(reloadOptions(benchOptions));
-    if (app.got_subcommand("bench"))
-        return bench(benchOptions);
-    if (app.got_subcommand("join"))
-        return joinTiles(joinOptions);
-    if (app.got_subcommand("compare"))
-        return compare(compareOptions);
-    if (app.got_subcommand("doctor"))
-        return doctor(doctorOptions);
-    if (app.got_subcommand("list"))
-        return list(listOptions);
-    readSize(size, options.width, options.height);
-    return render(options);
+    return runNamed(app, options, windows);
 }
 
 } // namespace dioptre
