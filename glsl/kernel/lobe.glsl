@@ -7,10 +7,11 @@ float logOnePlus(float x)
     return abs(x) < 0.02 ? series : log(max(1.0 + x, 1.0e-30));
 }
 
-// (a.b)^exponent for unit a, b, and 0 where they point apart: from the sine, which keeps its digits near the peak.
+// (a.b)^exponent for unit a, b, and 0 where they point apart: from the sine, which keeps its digits near the peak. a x b =
+// a x (b - a), whose difference is all but exact there.
 float cosinePower(vec3 a, vec3 b, float exponent)
 {
-    vec3 sine = cross(a, b);
+    vec3 sine = cross(a, b - a);
     float power = exp(0.5 * exponent * logOnePlus(-min(dot(sine, sine), 1.0)));
     return dot(a, b) > 0.0 ? power : 0.0;
 }

@@ -35,7 +35,7 @@ struct Material {
 // into u_ambient.
 struct Light {
     vec4 position;    // xyz
-    vec4 direction;   // xyz: unit, along which the light travels; w: cosine of the cone's half-angle
+    vec4 direction;   // xyz: unit, along which the light travels; w: 4 sin^2 of half the cone's half-angle
     vec4 ambient;     // rgb; w: exponent inside the cone
     vec4 diffuse;     // rgb; w: object that glows, -1 for none
     vec4 specular;    // rgb; w: least distance that attenuation is taken at, metres

@@ -17,13 +17,13 @@ float attenuation(Light light, float distance)
 #endif
 
 #ifdef HAS_SPOT_LIGHT
-// (cosine)^exponent inside the cone, 0 outside; the base is clamped before the power.
+// (cosine)^exponent inside the cone, 0 outside: by the chord between the unit vectors, as a small angle's cosine has lost it.
 float coneStrength(Light light, vec3 towards)
 {
-    float cosine = -dot(towards, light.direction.xyz);
+    vec3 chord = towards + light.direction.xyz;
     float exponent = light.ambient.w;
-    float strength = exponent == 0.0 ? 1.0 : pow(max(cosine, 1.0e-6), exponent);
-    return cosine >= light.direction.w ? strength : 0.0;
+    float strength = exponent == 0.0 ? 1.0 : cosinePower(light.direction.xyz, -towards, exponent);
+    return dot(chord, chord) <= light.direction.w ? strength : 0.0;
 }
 #endif
 

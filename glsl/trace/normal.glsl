@@ -27,10 +27,15 @@ vec3 outwardNormal(Ray ray, Nearest hit, int kind, Shape shape)
     return normal;
 }
 
-// The point that was met. On a sphere it is the centre plus the radius along the normal: no error of t enters.
+// The point that was met. On a sphere it is the centre plus the radius along the normal, on a flat shape it is brought back
+// into the plane: no error of t enters, however far the ray has come.
 vec3 hitPosition(Ray ray, Nearest hit, int kind, Shape shape, vec3 outward)
 {
     vec3 position = ray.origin + hit.t * ray.direction;
+#ifdef HAS_FLAT
+    vec3 inPlane = position - dot(position - shape.anchor.xyz, outward) * outward;
+    position = kind >= KIND_PLANE ? inPlane : position;
+#endif
 #ifdef HAS_SPHERE
     position = kind == KIND_SPHERE ? shape.anchor.xyz + shape.anchor.w * outward : position;
 #endif

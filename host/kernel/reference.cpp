@@ -27,6 +27,7 @@ namespace reference
 #define HAS_DISK
 #define HAS_RECTANGLE
 #define HAS_TRIANGLE
+#define HAS_FLAT
 #define HAS_COORDINATES
 #define HAS_PLANE_COORDINATES
 #define HAS_SPHERE_COORDINATES

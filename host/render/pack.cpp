@@ -130,11 +130,13 @@ packed::Material packMaterial(const Scene& scene, const Plan& plan, std::size_t 
 
 packed::Light packLight(const Light& light, const glm::dvec3& origin)
 {
-    // Rounding may take a cosine below -1: a spot without a cone asks for less than that.
-    const double cutoffCosine = light.cutoff_deg >= 180.0 ? -2.0 : std::cos(radians(light.cutoff_deg));
+    // The squared chord of the cone's half-angle. Rounding may take one above 4: a spot without a cone asks
+    // for more.
+    const double half = std::sin(0.5 * radians(light.cutoff_deg));
+    const double chordSquared = light.cutoff_deg >= 180.0 ? 5.0 : 4.0 * half * half;
     packed::Light result;
     result.position = vec4(light.position - origin, 0.0);
-    result.direction = vec4(light.direction, cutoffCosine);
+    result.direction = vec4(light.direction, chordSquared);
     // A directional light's ambient part comes from everywhere: pack() adds it to the scene's.
     const bool everywhere = light.kind == Light::Kind::directional;
     result.ambient = vec4(everywhere ? glm::dvec3(0.0) : light.ambient, light.exponent);

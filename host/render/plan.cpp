@@ -181,10 +181,10 @@ void Planner::shapes()
                 {"HAS_CYLINDER", "HAS_OPEN_CYLINDER", "HAS_ROUND_SHAPE"});
     addForShape("capped cylinder", countOf<Cylinder>(scene_, [](const auto& c) { return c.capped; }),
                 {"HAS_CYLINDER", "HAS_CAPPED_CYLINDER", "HAS_ROUND_SHAPE"});
-    addForShape("plane", countOf<Plane>(scene_), {"HAS_PLANE"});
-    addForShape("disk", countOf<Disk>(scene_), {"HAS_DISK"});
-    addForShape("rectangle", countOf<Rectangle>(scene_), {"HAS_RECTANGLE"});
-    addForShape("triangle", countOf<Triangle>(scene_), {"HAS_TRIANGLE"});
+    addForShape("plane", countOf<Plane>(scene_), {"HAS_PLANE", "HAS_FLAT"});
+    addForShape("disk", countOf<Disk>(scene_), {"HAS_DISK", "HAS_FLAT"});
+    addForShape("rectangle", countOf<Rectangle>(scene_), {"HAS_RECTANGLE", "HAS_FLAT"});
+    addForShape("triangle", countOf<Triangle>(scene_), {"HAS_TRIANGLE", "HAS_FLAT"});
 }
 
 bool seesDirections(const Plan& plan)

@@ -114,9 +114,9 @@ ValueErrors slabAtOrigin(Input input, Answer answer)
 }
 
 // Mirrors 0.5 to 2 m apart, met at 0 to 78 degrees.
-void appendFacing(RandomFloats& random, std::vector<dvec4>& texels)
+void appendFacing(RandomFloats& random, std::vector<dvec4>& texels, const dvec3& unitNormal)
 {
-    const dvec3 normal = asFloat(random.direction());
+    const dvec3 normal = asFloat(unitNormal);
     const double gap_m = random.within(0.5, 2.0);
     const dvec3 first = asFloat(random.inCube(1.0));
     const dvec3 second = asFloat(first + gap_m * normal + random.aside(normal, 0.0, 1.0));
@@ -129,6 +129,20 @@ void appendFacing(RandomFloats& random, std::vector<dvec4>& texels)
     texels.emplace_back(first, 0.0);
     texels.emplace_back(second, 0.0);
     texels.emplace_back(normal, 0.0);
+}
+
+void appendFacingAcrossAxis(RandomFloats& random, std::vector<dvec4>& texels)
+{
+    dvec3 normal(0.0);
+    const int axis = random.below(3);
+    normal[axis] = random.sign();
+    appendFacing(random, texels, normal);
+}
+
+void appendFacingTilted(RandomFloats& random, std::vector<dvec4>& texels)
+{
+    const dvec3 normal = random.direction();
+    appendFacing(random, texels, normal);
 }
 
 // Of the path's length, in the frame of the first mirror.
@@ -149,15 +163,34 @@ ValueErrors facingErrors(Input input, Answer answer)
 }
 
 // A ray that glances within 1e-3 rad along the inside of a sphere about the origin.
-void appendGallery(RandomFloats& random, std::vector<dvec4>& texels, double bounces)
+void appendGallery(RandomFloats& random, std::vector<dvec4>& texels, const dvec3& outward,
+                   const dvec3& tangent, int bounces)
 {
     constexpr double glancing = 1e-3;
     const double radius = asFloat(random.within(0.5, 2.0));
-    const dvec3 outward = random.direction();
-    const dvec3 tangent = random.across(outward);
     texels.emplace_back(asFloat(radius * outward), bounces);
     texels.emplace_back(asFloat(std::sqrt(1.0 - glancing * glancing) * tangent - glancing * outward), 0.0);
     texels.emplace_back(0.0, 0.0, 0.0, radius);
+}
+
+// From the end of one axis along another.
+template <int bounces>
+void appendGalleryFromAxis(RandomFloats& random, std::vector<dvec4>& texels)
+{
+    dvec3 outward(0.0);
+    dvec3 tangent(0.0);
+    const int axis = random.below(3);
+    const int next = (axis + 1 + random.below(2)) % 3;
+    outward[axis] = random.sign();
+    tangent[next] = random.sign();
+    appendGallery(random, texels, outward, tangent, bounces);
+}
+
+void appendGalleryTilted(RandomFloats& random, std::vector<dvec4>& texels)
+{
+    const dvec3 outward = random.direction();
+    const dvec3 tangent = random.across(outward);
+    appendGallery(random, texels, outward, tangent, 100);
 }
 
 // Of the radius. The rounded start is taken for the point of the sphere below it.
@@ -183,7 +216,7 @@ ValueRow pathRow(std::string_view name, std::string_view about, const char* feat
             about,
             false,
             "stability/paths",
-            {feature, "HAS_ROUND_SHAPE", "HAS_SPHERE", "HAS_PLANE"},
+            {feature, "HAS_ROUND_SHAPE", "HAS_SPHERE", "HAS_FLAT"},
             texels,
             parts,
             {{"missed/1e6", 0.0, Of::perMillion}, gate},
@@ -205,17 +238,21 @@ std::vector<ValueRow> pathValues()
         pathRow(
             "B03", "glass slab of 1e-5 m at the scene's origin", "HAS_SLAB", 6, 2, {"rel", 1e-3},
             [](RandomFloats& r, std::vector<dvec4>& t) { appendSlab(r, t, true); }, slabAtOrigin, 100000),
-        pathRow("W01", "facing mirrors, bounce 1000", "HAS_FACING", 5, 1, {"rel", 2e-5}, appendFacing,
-                facingErrors, 4096),
-        pathRow(
-            "W02", "whispering gallery, 1e-3 rad, bounce 10", "HAS_GALLERY", 3, 1, {"rel", 5e-7},
-            [](RandomFloats& r, std::vector<dvec4>& t) { appendGallery(r, t, 10.0); }, galleryErrors, 100000),
-        pathRow(
-            "W03", "whispering gallery, bounce 100", "HAS_GALLERY", 3, 1, {"rel", 5e-5},
-            [](RandomFloats& r, std::vector<dvec4>& t) { appendGallery(r, t, 100.0); }, galleryErrors, 20000),
-        pathRow(
-            "W04", "whispering gallery, bounce 1000", "HAS_GALLERY", 3, 1, {"rel", 2e-3},
-            [](RandomFloats& r, std::vector<dvec4>& t) { appendGallery(r, t, 1000.0); }, galleryErrors, 4096),
+        pathRow("W01", "facing mirrors across an axis, bounce 1000", "HAS_FACING", 5, 1, {"rel", 2e-5},
+                appendFacingAcrossAxis, facingErrors, 4096),
+        // The length of a tilted normal is 1 but for rounding, up to sqrt(3) 2^-25, which turns the ray at
+        // each bounce.
+        pathRow("W02", "facing mirrors at any tilt, bounce 1000", "HAS_FACING", 5, 1, {"rel", 1e-4},
+                appendFacingTilted, facingErrors, 4096),
+        pathRow("W03", "whispering gallery, 1e-3 rad, bounce 10", "HAS_GALLERY", 3, 1, {"rel", 5e-7},
+                appendGalleryFromAxis<10>, galleryErrors, 100000),
+        pathRow("W04", "whispering gallery, bounce 100", "HAS_GALLERY", 3, 1, {"rel", 5e-5},
+                appendGalleryFromAxis<100>, galleryErrors, 20000),
+        pathRow("W05", "whispering gallery, bounce 1000", "HAS_GALLERY", 3, 1, {"rel", 2e-3},
+                appendGalleryFromAxis<1000>, galleryErrors, 4096),
+        // Every bounce rounds the glancing angle by some 2^-24, which the next ones carry on.
+        pathRow("W06", "whispering gallery at any tilt, bounce 100", "HAS_GALLERY", 3, 1, {"rel", 5e-4},
+                appendGalleryTilted, galleryErrors, 20000),
     };
 }
 

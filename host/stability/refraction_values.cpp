@@ -22,7 +22,7 @@ using Of = ValueGate::Of;
 void appendNearCritical(RandomFloats& random, std::vector<dvec4>& texels, double reach_rad)
 {
     const dvec3 normal = asFloat(random.direction());
-    const double index = 1.0 / random.within(1.2, 2.5);
+    const double index = 1.0 / random.within(1.45, 1.6);
     const double off = random.within(-reach_rad, reach_rad); // as a sine
     const double sine = index * std::sqrt(1.0 - off * off) + std::sqrt(1.0 - index * index) * off;
     const dvec3 along = random.across(normal);
@@ -112,9 +112,9 @@ ValueRow fresnelRow(std::string_view name, std::string_view about, std::vector<V
 std::vector<ValueRow> refractionValues()
 {
     return {
-        criticalRow("R01", "refraction, critical angle +- 1e-4 rad", 300.0,
+        criticalRow("R01", "refraction, glass, critical angle +- 1e-4 rad", 300.0,
                     [](RandomFloats& r, std::vector<dvec4>& t) { appendNearCritical(r, t, 1e-4); }),
-        criticalRow("R02", "refraction, critical angle +- 1e-6 rad", 30000.0,
+        criticalRow("R02", "refraction, glass, critical angle +- 1e-6 rad", 30000.0,
                     [](RandomFloats& r, std::vector<dvec4>& t) { appendNearCritical(r, t, 1e-6); }),
         fresnelRow(
             "F01", "Fresnel, n = 1 + 1e-6", {{"rel", 1e-6}},
