@@ -6,6 +6,7 @@
 #define HAS_SPHERE
 #define HAS_ROUND_SHAPE
 #define HAS_PLANE
+#define HAS_FLAT
 #define HAS_COORDINATES
 #define HAS_PLANE_COORDINATES
 #define HAS_CHECKER

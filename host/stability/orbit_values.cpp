@@ -147,7 +147,7 @@ ValueRow orbitRow(std::string_view name, std::string_view about,
 {
     return {name,
             about,
-            true,
+            false,
             "stability/paths",
             {"HAS_ORBIT", "HAS_ROUND_SHAPE", "HAS_SPHERE"},
             6,

@@ -90,7 +90,7 @@ ValueRow criticalRow(std::string_view name, std::string_view about, double flips
 {
     return {name,
             about,
-            true,
+            false,
             "stability/optics",
             {"HAS_CRITICAL"},
             2,
@@ -112,26 +112,28 @@ ValueRow fresnelRow(std::string_view name, std::string_view about, std::vector<V
 std::vector<ValueRow> refractionValues()
 {
     return {
-        criticalRow("R01", "refraction, glass, critical angle +- 1e-4 rad", 300.0,
-                    [](RandomFloats& r, std::vector<dvec4>& t) { appendNearCritical(r, t, 1e-4); }),
-        criticalRow("R02", "refraction, glass, critical angle +- 1e-6 rad", 30000.0,
-                    [](RandomFloats& r, std::vector<dvec4>& t) { appendNearCritical(r, t, 1e-6); }),
+        asControl(
+            criticalRow("N01", "refraction, glass, critical angle +- 1e-4 rad", 300.0,
+                        [](RandomFloats& r, std::vector<dvec4>& t) { appendNearCritical(r, t, 1e-4); })),
+        asControl(
+            criticalRow("N02", "refraction, glass, critical angle +- 1e-6 rad", 30000.0,
+                        [](RandomFloats& r, std::vector<dvec4>& t) { appendNearCritical(r, t, 1e-6); })),
         fresnelRow(
             "F01", "Fresnel, n = 1 + 1e-6", {{"rel", 1e-6}},
             [](RandomFloats& r, std::vector<dvec4>& t) { appendInterface(r, t, 1.0 + 1e-6); },
             relativeReflectance),
-        fresnelRow(
+        asControl(fresnelRow(
             "F02", "Fresnel, n = 1.5", {{"rel", 1e-6}},
-            [](RandomFloats& r, std::vector<dvec4>& t) { appendInterface(r, t, 1.5); }, relativeReflectance),
-        fresnelRow(
+            [](RandomFloats& r, std::vector<dvec4>& t) { appendInterface(r, t, 1.5); }, relativeReflectance)),
+        asControl(fresnelRow(
             "F03", "Fresnel, n = 100", {{"rel", 1e-6}},
             [](RandomFloats& r, std::vector<dvec4>& t) { appendInterface(r, t, 100.0); },
-            relativeReflectance),
+            relativeReflectance)),
         fresnelRow("F04", "Fresnel, n = 1/1.5 to 100",
                    {{"of bound", 1.0}, {"R + T - 1", 1e-6, Of::largest, 1}}, appendAnyInterface,
                    reflectanceOfBound),
-        fresnelRow("F05", "Fresnel, n = 1/100 to 1", {{"R + T - 1", 1e-4}}, appendRarerInterface,
-                   sumOfShares),
+        asControl(fresnelRow("F05", "Fresnel, n = 1/100 to 1", {{"R + T - 1", 1e-4}}, appendRarerInterface,
+                             sumOfShares)),
     };
 }
 

@@ -1,5 +1,6 @@
 // Highlights, spots, the fall of light with distance, and latitude-longitude maps.
 #include "oracle/shading.h"
+#include "stability/angle.h"
 #include "stability/random_floats.h"
 #include "stability/value_rows.h"
 
@@ -22,12 +23,6 @@ using Of = ValueGate::Of;
 double relative(float answer, double truth)
 {
     return std::abs(static_cast<double>(answer) - truth) / truth;
-}
-
-// The sine keeps the digits of a small angle.
-double angleBetween_rad(const dvec3& a, const dvec3& b)
-{
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
 // Two unit vectors, their angle's tangent as given.

@@ -31,6 +31,12 @@ std::uint64_t seedOf(std::string_view name, std::uint64_t seed)
 
 } // namespace
 
+ValueRow asControl(ValueRow row)
+{
+    row.control = true;
+    return row;
+}
+
 std::span<const ValueRow> valueRows()
 {
     static const std::vector<ValueRow> rows = gathered();

@@ -24,9 +24,10 @@ inline constexpr double notJudged = std::numeric_limits<double>::quiet_NaN();
 // The largest that a figure may be.
 struct ValueGate {
     enum class Of {
-        largest,    // of errors[error]
-        perMillion, // of all inputs, the sum of errors[error], which are 0 or 1
-        slope       // |sum of errors[error] / sum of errors[error + 1] - 1|
+        largest,        // of errors[error]
+        rootMeanSquare, // of errors[error]
+        perMillion,     // of all inputs, the sum of errors[error], which are 0 or 1
+        slope           // |sum of errors[error] / sum of errors[error + 1] - 1|
     };
     std::string_view what; // "rel", "rad": what the figure is called
     double most = 0.0;
@@ -50,6 +51,9 @@ struct ValueRow {
     ValueErrors (*measure)(std::span<const glm::dvec4> input, std::span<const glm::vec4> answer) = nullptr;
     std::size_t count = 100000; // inputs of a full run
 };
+
+// The row, marked as one that the textbook's formula passes too.
+ValueRow asControl(ValueRow row);
 
 // In the order of the table.
 std::span<const ValueRow> valueRows();

@@ -22,23 +22,31 @@ bool isFinite(std::span<const glm::vec4> answer)
 
 ValueFigure figureOf(const ValueGate& gate, std::span<const ValueErrors> errors)
 {
-    ValueFigure figure;
-    double other = 0.0;
+    std::size_t judged = 0;
+    double largest = 0.0, sum = 0.0, squares = 0.0, others = 0.0;
     for (const ValueErrors& error : errors) {
         const double value = error[gate.error];
         if (std::isnan(value))
             continue;
-        ++figure.judged;
-        figure.value =
-            gate.of == ValueGate::Of::largest ? std::max(figure.value, value) : figure.value + value;
-        if (gate.of == ValueGate::Of::slope)
-            other += error[gate.error + 1];
+        ++judged;
+        largest = std::max(largest, value);
+        sum += value;
+        squares += value * value;
+        others += gate.of == ValueGate::Of::slope ? error[gate.error + 1] : 0.0;
     }
-    if (gate.of == ValueGate::Of::perMillion)
-        figure.value *= errors.empty() ? 0.0 : 1e6 / static_cast<double>(errors.size());
-    if (gate.of == ValueGate::Of::slope)
-        figure.value = std::abs(figure.value / other - 1.0);
-    return figure;
+    if (judged == 0)
+        return {};
+    switch (gate.of) {
+    case ValueGate::Of::rootMeanSquare:
+        return {std::sqrt(squares / static_cast<double>(judged)), judged};
+    case ValueGate::Of::perMillion:
+        return {1e6 * sum / static_cast<double>(errors.size()), judged};
+    case ValueGate::Of::slope:
+        return {std::abs(sum / others - 1.0), judged};
+    case ValueGate::Of::largest:
+        break;
+    }
+    return {largest, judged};
 }
 
 } // namespace
@@ -108,9 +116,11 @@ ValueOutcome checkValues(const KernelDevice& device, const ValueRow& row, std::u
 std::string figureText(const ValueRow& row, const ValueFigures& figures)
 {
     std::string text;
-    for (std::size_t i = 0; i < row.gates.size(); ++i)
-        text +=
-            fmt::format("{}{} {:.2g}", text.empty() ? "" : ", ", row.gates[i].what, figures.figures[i].value);
+    for (std::size_t i = 0; i < row.gates.size(); ++i) {
+        const ValueFigure& figure = figures.figures[i];
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", row.gates[i].what,
+                            figure.judged > 0 ? fmt::format("{:.2g}", figure.value) : "-");
+    }
     return text;
 }
 
