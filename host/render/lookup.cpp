@@ -71,11 +71,6 @@ std::string selectText(const std::string& name, std::size_t count,
 namespace
 {
 
-bool isRound(int kind)
-{
-    return kind <= packed::KIND_CAPPED_CYLINDER;
-}
-
 bool isCylinder(int kind)
 {
     return kind == packed::KIND_OPEN_CYLINDER || kind == packed::KIND_CAPPED_CYLINDER;
@@ -86,14 +81,15 @@ bool hasEdges(int kind)
     return kind == packed::KIND_RECTANGLE || kind == packed::KIND_TRIANGLE;
 }
 
-// Which parts of an object's Shape surface.glsl reads; `worn`: the object wears a picture or a pattern.
+// Which parts of an object's Shape surface.glsl and normal.glsl read; `worn`: the object wears a picture or a
+// pattern.
 struct ShapeParts {
     bool anchor, anchor_w, axis, axis_w, along;
 };
 
 ShapeParts partsOf(int kind, bool worn)
 {
-    return {.anchor = isRound(kind) || worn,
+    return {.anchor = true,
             .anchor_w = kind == packed::KIND_SPHERE || (worn && kind != packed::KIND_PLANE),
             .axis = kind != packed::KIND_SPHERE || worn,
             .axis_w = worn && (isCylinder(kind) || hasEdges(kind)),
