@@ -86,7 +86,7 @@ void appendRarerInterface(RandomFloats& random, std::vector<dvec4>& texels)
 }
 
 ValueRow criticalRow(std::string_view name, std::string_view about, double flipsPerMillion,
-                     void (*append)(RandomFloats&, std::vector<dvec4>&))
+                     void (*append)(RandomFloats&, std::vector<dvec4>&), std::size_t count)
 {
     return {name,
             about,
@@ -97,7 +97,8 @@ ValueRow criticalRow(std::string_view name, std::string_view about, double flips
             1,
             {{"flips/1e6", flipsPerMillion, Of::perMillion}},
             append,
-            flipOfTotalReflection};
+            flipOfTotalReflection,
+            count};
 }
 
 ValueRow fresnelRow(std::string_view name, std::string_view about, std::vector<ValueGate> gates,
@@ -112,12 +113,13 @@ ValueRow fresnelRow(std::string_view name, std::string_view about, std::vector<V
 std::vector<ValueRow> refractionValues()
 {
     return {
-        asControl(
-            criticalRow("N01", "refraction, glass, critical angle +- 1e-4 rad", 300.0,
-                        [](RandomFloats& r, std::vector<dvec4>& t) { appendNearCritical(r, t, 1e-4); })),
-        asControl(
-            criticalRow("N02", "refraction, glass, critical angle +- 1e-6 rad", 30000.0,
-                        [](RandomFloats& r, std::vector<dvec4>& t) { appendNearCritical(r, t, 1e-6); })),
+        // Some 240 a million: as many inputs as it takes for the share to stand out of its own chance.
+        asControl(criticalRow(
+            "N01", "refraction, glass, critical angle +- 1e-4 rad", 300.0,
+            [](RandomFloats& r, std::vector<dvec4>& t) { appendNearCritical(r, t, 1e-4); }, 1000000)),
+        asControl(criticalRow(
+            "N02", "refraction, glass, critical angle +- 1e-6 rad", 30000.0,
+            [](RandomFloats& r, std::vector<dvec4>& t) { appendNearCritical(r, t, 1e-6); }, 100000)),
         fresnelRow(
             "F01", "Fresnel, n = 1 + 1e-6", {{"rel", 1e-6}},
             [](RandomFloats& r, std::vector<dvec4>& t) { appendInterface(r, t, 1.0 + 1e-6); },
