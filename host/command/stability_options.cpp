@@ -2,6 +2,7 @@
 
 #include "gl/context.h"
 #include "stability/case_rows.h"
+#include "stability/value_rows.h"
 #include "stability/variant.h"
 
 #include <CLI/CLI.hpp>
@@ -16,6 +17,8 @@ std::string caseHelp()
 {
     std::string text = "cases of the table, all by default:";
     for (const CaseRow& row : caseRows())
+        text += fmt::format("\n  {} - {}", row.name, row.about);
+    for (const ValueRow& row : valueRows())
         text += fmt::format("\n  {} - {}", row.name, row.about);
     return text;
 }

@@ -26,34 +26,45 @@ std::string flipsText(const CaseFigures& figures)
     return fmt::format("{:.0f}/{:.0f}", figures.flips, figures.flipsOverMargin);
 }
 
-std::string verdictText(const StabilityResult& result)
+std::string verdictText(const Verdict& verdict)
 {
-    return result.verdict.pass ? "pass" : "FAIL: " + result.verdict.reason;
+    return verdict.pass ? "pass" : "FAIL: " + verdict.reason;
 }
 
-std::string textbookText(const StabilityResult& result)
+std::string textbookText(const Verdict& verdict, bool control)
 {
-    if (!result.textbookVerdict.pass)
+    if (!verdict.pass)
         return "fails";
-    return result.row->control ? "passes (control)" : "passes";
+    return control ? "passes (control)" : "passes";
 }
 
 std::string csvLine(const StabilityResult& result, const char* kernel, const CaseFigures& figures,
                     const Verdict& verdict)
 {
-    return fmt::format("{},{},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},{}\n", result.row->name,
+    return fmt::format("{},{},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},{},\n", result.row->name,
                        kernel, figures.rays, figures.k, figures.relativeT, figures.relativeT_p999,
                        figures.normal_rad, figures.flips, figures.flipsOverMargin, figures.leaks,
                        figures.nonFinite, verdict.pass ? 1 : 0);
 }
 
-std::string csvText(const std::vector<StabilityResult>& results)
+// Their own figures, in words.
+std::string csvLine(const ValueRow& row, const char* kernel, const ValueFigures& figures,
+                    const Verdict& verdict)
+{
+    return fmt::format("{},{},{},,,,,,,,{},{},\"{}\"\n", row.name, kernel, figures.rows, figures.nonFinite,
+                       verdict.pass ? 1 : 0, figureText(row, figures));
+}
+
+std::string csvText(const StabilityTable& table)
 {
     std::string text = "case,kernel,rays,k_max,t_rel_max,t_rel_p999,normal_rad_max,flips_per_million,"
-                       "flips_over_margin_per_million,leaks_per_million,nonfinite,pass\n";
-    for (const auto& result : results)
+                       "flips_over_margin_per_million,leaks_per_million,nonfinite,pass,figures\n";
+    for (const auto& result : table.cases)
         text += csvLine(result, "ours", result.figures, result.verdict) +
                 csvLine(result, "textbook", result.textbook, result.textbookVerdict);
+    for (const auto& result : table.values)
+        text += csvLine(*result.row, "ours", result.ours, result.verdict) +
+                csvLine(*result.row, "textbook", result.textbook, result.textbookVerdict);
     return text;
 }
 
@@ -89,6 +100,31 @@ nlohmann::ordered_json resultJson(const StabilityResult& result)
     return json;
 }
 
+nlohmann::ordered_json figuresJson(const ValueRow& row, const ValueFigures& figures, const Verdict& verdict)
+{
+    nlohmann::ordered_json named = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < row.gates.size(); ++i)
+        named[std::string(row.gates[i].what)] = number(figures.figures[i].value);
+    return {{"figures", named}, {"nonfinite", figures.nonFinite}, {"pass", verdict.pass}};
+}
+
+// With the keys of the other rows, which have no figure here.
+nlohmann::ordered_json resultJson(const ValueOutcome& result)
+{
+    const ValueRow& row = *result.row;
+    nlohmann::ordered_json json = {{"case", row.name},
+                                   {"about", row.about},
+                                   {"rays", result.ours.rows},
+                                   {"gate", gateText(row)},
+                                   {"control", row.control}};
+    for (const char* key : {"k_max", "t_rel_max", "flips_per_million", "normal_rad_max"})
+        json[key] = nullptr;
+    json.update(figuresJson(row, result.ours, result.verdict));
+    json["reason"] = result.verdict.reason;
+    json["textbook"] = figuresJson(row, result.textbook, result.textbookVerdict);
+    return json;
+}
+
 } // namespace
 
 void printRow(const StabilityResult& result, bool first)
@@ -103,33 +139,51 @@ void printRow(const StabilityResult& result, bool first)
     fmt::print("{:<14} {:>7}  {:>8} {:>8} {:>9} {:>9}   {:>8} {:>8} {:>13}  {}; textbook {}\n",
                result.row->name, ours.rays, short_(ours.k), short_(ours.relativeT), flipsText(ours),
                short_(ours.normal_rad), short_(theirs.k), short_(theirs.relativeT), flipsText(theirs),
-               verdictText(result), textbookText(result));
+               verdictText(result.verdict), textbookText(result.textbookVerdict, result.row->control));
     std::fflush(stdout);
 }
 
-void report(const StabilityOptions& options, const ContextInfo& device,
-            const std::vector<StabilityResult>& results)
+void printRow(const ValueOutcome& result, bool first)
 {
-    const auto failed =
-        std::ranges::count_if(results, [](const auto& result) { return !result.verdict.pass; });
+    if (first)
+        fmt::print("\n{:<22} {:>7}  {:<44} {:<44} {}\n", "case", "inputs", "figures", "textbook", "verdict");
+    fmt::print("{:<22} {:>7}  {:<44} {:<44} {}; textbook {}\n", result.row->name, result.ours.rows,
+               figureText(*result.row, result.ours), figureText(*result.row, result.textbook),
+               verdictText(result.verdict), textbookText(result.textbookVerdict, result.row->control));
+    std::fflush(stdout);
+}
+
+std::size_t StabilityTable::failures() const
+{
+    const auto fails = [](const auto& result) { return !result.verdict.pass; };
+    return static_cast<std::size_t>(std::ranges::count_if(cases, fails) +
+                                    std::ranges::count_if(values, fails));
+}
+
+void report(const StabilityOptions& options, const ContextInfo& device, const StabilityTable& table)
+{
     if (!options.csv.empty())
-        writeFile(options.csv, csvText(results));
+        writeFile(options.csv, csvText(table));
     if (options.json) {
         nlohmann::ordered_json json = {{"renderer", device.renderer},
                                        {"backend", device.backend},
                                        {"seed", options.seed},
                                        {"cases", nlohmann::ordered_json::array()}};
-        for (const auto& result : results)
+        for (const auto& result : table.cases)
+            json["cases"].push_back(resultJson(result));
+        for (const auto& result : table.values)
             json["cases"].push_back(resultJson(result));
         fmt::print("{}", jsonText(json));
         return;
     }
-    fmt::print("\n{} of {} cases pass on {}\n"
-               "K: error of t across the surface, in units of float's rounding of the scene's size there; "
-               "rays that\n"
-               "pass an edge within 8 such units count neither here nor behind the stroke of flips (hit for "
-               "miss).\n",
-               results.size() - static_cast<std::size_t>(failed), results.size(), device.renderer);
+    const std::size_t rows = table.cases.size() + table.values.size();
+    fmt::print("\n{} of {} cases pass on {}\n", rows - table.failures(), rows, device.renderer);
+    if (!table.cases.empty())
+        fmt::print(
+            "K: error of t across the surface, in units of float's rounding of the scene's size there; rays "
+            "that\npass an edge within 8 such units count neither here nor behind the stroke of flips (hit "
+            "for "
+            "miss).\n");
 }
 
 } // namespace dioptre
