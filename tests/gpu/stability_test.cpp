@@ -1,13 +1,18 @@
 // The kernels on this device against the quad-precision oracle, every row of the suite by a few of its rays.
 #include "gl/limits.h"
-#include "stability/batch_csv.h"
+#include "render/probe.h"
 #include "stability/kernel_run.h"
+#include "support/process.h"
 #include "support/rendering.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <unistd.h>
 
 using namespace dioptre;
 using dioptre::test::contextFor;
@@ -123,7 +128,31 @@ TEST(StabilityDevice, LengthsBeyondAFloatsSquare_AreScaledByPowersOfTwo)
     }
 }
 
-// A million sums and products of dear precision are worth what the compiler leaves of them.
+TEST(StabilityShaders, GlslangValidator_AcceptsThemAsGlsl330)
+{
+    const std::vector<std::set<std::string>> kinds{{"HAS_SPHERE"},
+                                                   {"HAS_CYLINDER", "HAS_OPEN_CYLINDER"},
+                                                   {"HAS_CYLINDER", "HAS_CAPPED_CYLINDER"},
+                                                   {"HAS_FLAT", "HAS_PLANE"},
+                                                   {"HAS_FLAT", "HAS_DISK"},
+                                                   {"HAS_FLAT", "HAS_RECTANGLE"},
+                                                   {"HAS_FLAT", "HAS_TRIANGLE"}};
+    const auto file =
+        std::filesystem::temp_directory_path() / ("dioptre-shapes-" + std::to_string(getpid()) + ".frag");
+    for (const auto& kind : kinds)
+        for (const char* variant : {"HAS_TEXTBOOK", "HAS_ROBUST", "HAS_COMPENSATED", "HAS_CURVATURE"}) {
+            std::set<std::string> features = kind;
+            features.insert({variant, "HAS_UNIT"});
+            if (kind.contains("HAS_FLAT") && features.contains("HAS_CURVATURE"))
+                continue; // nothing bends
+            std::ofstream(file) << flatten(probeText(glslFolder(), "stability/shapes", features));
+            const auto outcome = dioptre::test::run("glslangValidator -C '" + file.string() + "'");
+            EXPECT_EQ(outcome.code, 0) << *kind.rbegin() << " " << variant << "\n" << outcome.out;
+        }
+    std::filesystem::remove(file);
+}
+
+// Sums and products without loss are worth what the compiler leaves of them.
 TEST(StabilityDevice, WithoutItsGuard_TheCompensatedKernelIsNoBetter)
 {
     KernelDevice device = deviceOf("auto");
