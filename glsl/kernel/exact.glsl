@@ -1,12 +1,10 @@
-// Sums and products of floats without loss, and vectors of two floats a component that are made of them.
+// Sums and products of two floats without loss: the rounded result and the error of its rounding.
 
 // What keeps the compiler from regrouping: `precise` on every intermediate, or factors of 1 that it cannot know.
 #ifdef HAS_PRECISE
 #define EXACT precise float
-#define EXACT_VECTOR precise vec3
 #else
 #define EXACT float
-#define EXACT_VECTOR vec3
 #endif
 #ifdef HAS_UNIT
 uniform float u_one; // 1

@@ -5,7 +5,6 @@
 struct PlaneRoot {
     bool found;
     float t;
-    bool behind; // met from behind
 };
 
 PlaneRoot finePlaneRoot(FineVector to_point, FineVector direction, FineVector normal)
@@ -16,7 +15,6 @@ PlaneRoot finePlaneRoot(FineVector to_point, FineVector direction, FineVector no
     PlaneRoot root;
     root.found = approach != 0.0;
     root.t = (height.x + height.y) / (root.found ? approach : 1.0);
-    root.behind = approach > 0.0;
     return root;
 }
 

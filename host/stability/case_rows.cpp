@@ -21,15 +21,6 @@ std::vector<CaseRow> gathered()
     return rows;
 }
 
-// A case's rays do not depend on which others run: FNV-1a of its name.
-std::uint64_t seedOf(std::string_view name, std::uint64_t seed)
-{
-    std::uint64_t hash = 14695981039346656037U ^ seed;
-    for (const char letter : name)
-        hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211U;
-    return hash;
-}
-
 std::string limit(std::string_view what, double most, std::string_view none)
 {
     return most == 0.0 ? std::string(none) : fmt::format("{} <= {:g}", what, most);

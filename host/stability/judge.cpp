@@ -1,6 +1,7 @@
 #include "stability/judge.h"
 
 #include "base/statistics.h"
+#include "stability/angle.h"
 
 #include <fmt/format.h>
 
@@ -20,12 +21,6 @@ bool isFinite(const DeviceAnswer& answer)
 {
     const glm::dvec3& n = answer.normal;
     return std::isfinite(answer.t) && std::isfinite(n.x) && std::isfinite(n.y) && std::isfinite(n.z);
-}
-
-// The sine keeps the digits of a small angle.
-double angleBetween_rad(const glm::dvec3& a, const glm::dvec3& b)
-{
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
 double perMillion(std::size_t part, std::size_t whole)

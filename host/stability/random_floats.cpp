@@ -24,6 +24,14 @@ glm::dvec3 unitOf(const glm::dvec3& vector)
     return vector / std::sqrt(vector.x * vector.x + vector.y * vector.y + vector.z * vector.z);
 }
 
+std::uint64_t seedOf(std::string_view name, std::uint64_t seed)
+{
+    std::uint64_t hash = 14695981039346656037U ^ seed;
+    for (const char letter : name)
+        hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211U;
+    return hash;
+}
+
 double RandomFloats::share()
 {
     return static_cast<double>(random_() >> 11) * 0x1p-53;

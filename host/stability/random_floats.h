@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <random>
+#include <string_view>
 
 namespace dioptre
 {
@@ -15,6 +16,9 @@ glm::dvec3 asFloat(const glm::dvec3& value);
 
 // The vector over its length, without any approximate instruction.
 glm::dvec3 unitOf(const glm::dvec3& vector);
+
+// Of a row of the suite, whose inputs do not depend on which others run: FNV-1a of its name.
+std::uint64_t seedOf(std::string_view name, std::uint64_t seed);
 
 // Only sums, products, quotients and square roots, which IEEE 754 rounds alike everywhere; results are
 // doubles. Two draws in one expression would come in any order: draw one by one.

@@ -20,15 +20,6 @@ std::vector<ValueRow> gathered()
     return rows;
 }
 
-// A row's inputs do not depend on which others run: FNV-1a of its name.
-std::uint64_t seedOf(std::string_view name, std::uint64_t seed)
-{
-    std::uint64_t hash = 14695981039346656037U ^ seed;
-    for (const char letter : name)
-        hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211U;
-    return hash;
-}
-
 } // namespace
 
 ValueRow asControl(ValueRow row)
