@@ -1,5 +1,6 @@
 #include "command/stability.h"
 
+#include "base/interruption.h"
 #include "base/text.h"
 #include "command/stability_batch.h"
 #include "command/stability_device.h"
@@ -78,11 +79,13 @@ ExitCode stability(const StabilityOptions& options)
     const KernelDevice device = kernelDeviceHere();
     StabilityTable table;
     for (const CaseRow* row : rows.cases) {
+        Interruption::check();
         table.cases.push_back(run(device, *row, options));
         if (!options.json)
             printRow(table.cases.back(), table.cases.size() == 1);
     }
     for (const ValueRow* row : rows.values) {
+        Interruption::check();
         table.values.push_back(checkValues(device, *row, options.seed, inputsOf(*row, options)));
         if (!options.json)
             printRow(table.values.back(), table.values.size() == 1);

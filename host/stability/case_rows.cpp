@@ -1,6 +1,7 @@
 #include "stability/case_rows.h"
 
 #include "base/error.h"
+#include "base/interruption.h"
 #include "base/parallel.h"
 #include "stability/random_floats.h"
 
@@ -68,6 +69,7 @@ std::vector<RayAnswer> answersOf(std::span<const RayProblem> problems)
     constexpr std::size_t batch = 512; // some milliseconds of work
     std::vector<RayAnswer> answers(problems.size());
     inParallel((problems.size() + batch - 1) / batch, [&](std::size_t i) {
+        Interruption::check();
         const std::size_t end = std::min((i + 1) * batch, problems.size());
         for (std::size_t j = i * batch; j < end; ++j)
             answers[j] = solve(problems[j]);

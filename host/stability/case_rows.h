@@ -55,7 +55,7 @@ std::span<const CaseRow> surfaceCases(); // shared edges, degenerate shapes, ray
 // All numbers are floats; directions are unit to float, save where the case is about their length.
 std::vector<RayProblem> problemsOf(std::string_view caseName, std::uint64_t seed, std::size_t count);
 
-// solve() of each, on all cores.
+// solve() of each, on all cores. Throws retry where an Interruption was noted.
 std::vector<RayAnswer> answersOf(std::span<const RayProblem> problems);
 
 // "K <= 8, no flips over margin".
