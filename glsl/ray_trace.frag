@@ -1,12 +1,25 @@
 // dioptre's ray tracer, in the order that light travels back: from the eye through a pixel, to the nearest object, to what
 // its surface is and how it is lit, and on along mirrored and refracted rays until they no longer matter.
 
+#ifdef HAS_PRECISE
+#extension GL_ARB_gpu_shader5 : require
+#endif
+
 #include "shared/constants.glsl"
 #include "shared/structs.glsl"
 #include "kernel/ray.glsl"
 #include "kernel/sphere.glsl"
 #include "kernel/cylinder.glsl"
 #include "kernel/flat.glsl"
+#ifdef HAS_CHOSEN_KERNELS
+#include "kernel/exact.glsl"
+#include "kernel/fine.glsl"
+#include "kernel/fine_round.glsl"
+#include "kernel/fine_flat.glsl"
+#include "kernel/fine_crossing.glsl"
+#include "kernel/curved.glsl"
+#include "kernel/curved_crossing.glsl"
+#endif
 #include "kernel/dielectric.glsl"
 #include "kernel/lobe.glsl"
 #include "kernel/lat_long.glsl"

@@ -33,15 +33,18 @@ Span curvedSpan(vec3 w, vec3 direction, vec3 bending_w, vec3 bending_direction, 
     return spanOfQuadratic(A, B, C);
 }
 
-Span curvedSphereSpan(vec3 w, vec3 direction, FineVector normal, float kappa)
+Span curvedSphereSpan(Ray ray, vec3 point, FineVector normal, float kappa)
 {
-    return curvedSpan(w, direction, w, direction, normal, kappa);
+    vec3 w = ray.origin - point;
+    return curvedSpan(w, ray.direction, w, ray.direction, normal, kappa);
 }
 
 // The normal is at right angles to the unit axis, so that the linear terms need no projection.
-Span curvedSideSpan(vec3 w, vec3 direction, FineVector normal, float kappa, vec3 axis)
+Span curvedSideSpan(Ray ray, vec3 point, FineVector normal, float kappa, vec3 axis)
 {
-    return curvedSpan(w, direction, w - dot(w, axis) * axis, direction - dot(direction, axis) * axis, normal, kappa);
+    vec3 w = ray.origin - point;
+    vec3 d = ray.direction;
+    return curvedSpan(w, d, w - dot(w, axis) * axis, d - dot(d, axis) * axis, normal, kappa);
 }
 
 // The outward normal at an offset from the surface point; across the axis for a cylinder.

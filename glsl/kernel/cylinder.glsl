@@ -24,11 +24,10 @@ Span sideSpan(Ray ray, vec3 base, vec3 axis, float radius)
     return span;
 }
 
-// The line's stretch between the planes of both caps.
-Span slabSpan(Ray ray, vec3 base, vec3 axis, float height)
+// The line's stretch between the planes of both caps: z is the origin's height above the base, dz the direction's part along
+// the axis.
+Span spanBetween(float z, float dz, float height)
 {
-    float z = dot(ray.origin - base, axis);
-    float dz = dot(ray.direction, axis);
     bool parallel = dz == 0.0;
     float perDz = 1.0 / (parallel ? 1.0 : dz);
     float toBase = -z * perDz;
@@ -38,6 +37,11 @@ Span slabSpan(Ray ray, vec3 base, vec3 axis, float height)
     span.near = parallel ? -FAR_AWAY : min(toBase, toTop);
     span.far = parallel ? FAR_AWAY : max(toBase, toTop);
     return span;
+}
+
+Span slabSpan(Ray ray, vec3 base, vec3 axis, float height)
+{
+    return spanBetween(dot(ray.origin - base, axis), dot(ray.direction, axis), height);
 }
 
 // The capped cylinder is where both spans overlap, so side and caps meet at the rim without a gap.
@@ -56,21 +60,41 @@ Span cappedCylinderSpan(Ray ray, vec3 base, vec3 axis, float radius, float heigh
 }
 
 // Where the slab bounds the span, the ray meets a cap.
-Crossing cappedCylinderCrossing(Ray ray, int object, vec3 base, vec3 axis, float radius, float height)
+Crossing firstOfCapped(Span side, Span slab, Ray ray, int object)
 {
-    Span side = sideSpan(ray, base, axis, radius);
-    Span slab = slabSpan(ray, base, axis, height);
     Crossing crossing = firstOfSpan(commonSpan(side, slab), ray, object);
     crossing.cap = crossing.inside ? slab.far < side.far : slab.near > side.near;
     return crossing;
 }
 
-Crossing cappedCylinderEntry(Ray ray, int object, vec3 base, vec3 axis, float radius, float height)
+Crossing entryOfCapped(Span side, Span slab, Ray ray, int object)
 {
-    Span side = sideSpan(ray, base, axis, radius);
-    Span slab = slabSpan(ray, base, axis, height);
     Crossing crossing = entryOfSpan(commonSpan(side, slab), ray, object);
     crossing.cap = slab.near > side.near;
+    return crossing;
+}
+
+Crossing cappedCylinderCrossing(Ray ray, int object, vec3 base, vec3 axis, float radius, float height)
+{
+    return firstOfCapped(sideSpan(ray, base, axis, radius), slabSpan(ray, base, axis, height), ray, object);
+}
+
+Crossing cappedCylinderEntry(Ray ray, int object, vec3 base, vec3 axis, float radius, float height)
+{
+    return entryOfCapped(sideSpan(ray, base, axis, radius), slabSpan(ray, base, axis, height), ray, object);
+}
+
+// The first of a wall's two crossings that lies between its ends.
+Crossing firstOfWall(Span side, bool nearBetween, bool farBetween, Ray ray, int object)
+{
+    bool startsWithin = ray.from == 2 * object + 1;
+    bool outer = side.found && side.near > 0.0 && !startsWithin && nearBetween;
+    bool inner = (startsWithin || (side.found && side.far > 0.0)) && farBetween;
+    Crossing crossing;
+    crossing.found = (outer || inner) && ray.from != 2 * object;
+    crossing.t = outer ? side.near : max(side.far, 0.0);
+    crossing.inside = !outer;
+    crossing.cap = false;
     return crossing;
 }
 
@@ -83,13 +107,13 @@ Crossing openCylinderCrossing(Ray ray, int object, vec3 base, vec3 axis, float r
     float dz = dot(ray.direction, axis);
     float zNear = z + side.near * dz;
     float zFar = z + side.far * dz;
-    bool startsWithin = ray.from == 2 * object + 1;
-    bool outer = side.found && side.near > 0.0 && !startsWithin && zNear >= 0.0 && zNear <= height;
-    bool inner = (startsWithin || (side.found && side.far > 0.0)) && zFar >= 0.0 && zFar <= height;
-    Crossing crossing;
-    crossing.found = (outer || inner) && ray.from != 2 * object;
-    crossing.t = outer ? side.near : max(side.far, 0.0);
-    crossing.inside = !outer;
-    crossing.cap = false;
-    return crossing;
+    return firstOfWall(side, zNear >= 0.0 && zNear <= height, zFar >= 0.0 && zFar <= height, ray, object);
+}
+
+// The same where the slab tells what lies between the ends.
+Crossing firstOfOpen(Span side, Span slab, Ray ray, int object)
+{
+    bool nearBetween = slab.found && side.near >= slab.near && side.near <= slab.far;
+    bool farBetween = slab.found && side.far >= slab.near && side.far <= slab.far;
+    return firstOfWall(side, nearBetween, farBetween, ray, object);
 }

@@ -1,9 +1,10 @@
 // Flat shapes with compensated arithmetic: for planes that a ray nearly runs along, and for shapes that are small or thin against
 // its way to them. `to_point` leads from the ray's origin to a point of the plane; `normal` may have any length.
 
-// Where the line meets the plane, in lengths of the direction; `found` is false for a line that runs along it.
+// Where the line meets the plane, in lengths of the direction; `approach` is the direction's part along the normal, 0 for a
+// line that runs along the plane.
 struct PlaneRoot {
-    bool found;
+    float approach;
     float t;
 };
 
@@ -11,10 +12,9 @@ PlaneRoot finePlaneRoot(FineVector to_point, FineVector direction, FineVector no
 {
     vec2 height = fineDot(to_point, normal);
     vec2 slope = fineDot(direction, normal);
-    float approach = slope.x + slope.y;
     PlaneRoot root;
-    root.found = approach != 0.0;
-    root.t = (height.x + height.y) / (root.found ? approach : 1.0);
+    root.approach = slope.x + slope.y;
+    root.t = (height.x + height.y) / (root.approach == 0.0 ? 1.0 : root.approach);
     return root;
 }
 

@@ -38,6 +38,15 @@ Crossing firstOfSpan(Span span, Ray ray, int object)
     return crossing;
 }
 
+// The same for a sphere. From its inner side one root is 0, so that the other is the sum of both: a glancing chord, which the
+// square root has lost, keeps its digits.
+Crossing firstOfRoundSpan(Span span, Ray ray, int object)
+{
+    Crossing crossing = firstOfSpan(span, ray, object);
+    crossing.t = ray.from == 2 * object + 1 ? max(span.near + span.far, 0.0) : crossing.t;
+    return crossing;
+}
+
 // The same for a solid that no ray is ever within: it lets no light through, and the eye is outside.
 Crossing entryOfSpan(Span span, Ray ray, int object)
 {

@@ -20,12 +20,7 @@ Span sphereSpan(Ray ray, vec3 centre, float radius)
 
 Crossing sphereCrossing(Ray ray, int object, vec3 centre, float radius)
 {
-    Span span = sphereSpan(ray, centre, radius);
-    Crossing crossing = firstOfSpan(span, ray, object);
-    // From the inner side one root is 0, so that the other is the sum of both: a glancing chord, which the square root has
-    // lost, keeps its digits.
-    crossing.t = ray.from == 2 * object + 1 ? max(span.near + span.far, 0.0) : crossing.t;
-    return crossing;
+    return firstOfRoundSpan(sphereSpan(ray, centre, radius), ray, object);
 }
 
 Crossing sphereEntry(Ray ray, int object, vec3 centre, float radius)

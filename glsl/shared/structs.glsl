@@ -17,6 +17,18 @@ struct Shape {
     vec4 along_v;
 };
 
+// What the kernels that are chosen for precision read besides. `low` is what rounding to float took from a number.
+struct FineShape {
+    vec4 anchor_low;    // xyz: of Shape.anchor
+    vec4 axis;          // xyz: a cylinder's axis, whose length is its height; else the unit normal
+    vec4 axis_low;      // xyz
+    vec4 along_u_low;   // xyz: of a triangle's b
+    vec4 along_v_low;   // xyz: of its c
+    vec4 point;         // xyz: of a round surface, nearest to the scene origin; w: 1 / radius
+    vec4 point_normal;  // xyz: the outward normal there; w: a cylinder's point's height above its base
+    vec4 point_normal_low; // xyz
+};
+
 struct Material {
     vec4 colour;     // rgb: reflectance; w: index of the picture that multiplies it, -1 for none
     vec4 ambient;    // rgb: reflectance for ambient light; w: 1 where it is the surface's colour instead

@@ -118,7 +118,7 @@ Answer answerOfRow()
 #endif
 #ifdef HAS_CURVATURE
     FineVector normal = fineTexel(SURFACE_NORMAL, SURFACE_NORMAL_LOW);
-    Span span = curvedSphereSpan(ray.origin - anchor, ray.direction, normal, radius);
+    Span span = curvedSphereSpan(ray, anchor, normal, radius);
 #endif
     int root = rootThatCounts(span.found, span.near, span.found, span.far);
     if (root == 2)
@@ -169,7 +169,7 @@ Answer answerOfRow()
 #else
 #ifdef HAS_CURVATURE
     FineVector normal = fineTexel(SURFACE_NORMAL, SURFACE_NORMAL_LOW);
-    Span side = curvedSideSpan(offset, ray.direction, normal, radius, axis);
+    Span side = curvedSideSpan(ray, base, normal, radius, axis);
     float aboveBase = texel(ANCHOR_LOW).w;
     Span slab = slabSpan(ray, base - aboveBase * axis, axis, height);
 #else
@@ -226,7 +226,7 @@ Answer answerOfRow()
     FineVector direction = fineTexel(DIRECTION, DIRECTION_LOW);
     FineVector point = toPoint(ANCHOR, ANCHOR_LOW);
     PlaneRoot plane = finePlaneRoot(point, direction, fineTexel(AXIS, AXIS_LOW));
-    answer.hit = plane.found;
+    answer.hit = plane.approach != 0.0;
     answer.t = plane.t;
 #ifdef HAS_DISK
     answer.hit = answer.hit && fineWithinDisk(point, direction, plane.t, radius);

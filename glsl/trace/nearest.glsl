@@ -34,6 +34,13 @@ Nearest nearer(Nearest nearest, Crossing crossing, int object)
     return replacedIf(crossing.found && crossing.t < nearest.t, nearest, crossing, object);
 }
 
+// As nearer(), for objects that are not asked in order of their ids.
+Nearest nearerOfAnyOrder(Nearest nearest, Crossing crossing, int object)
+{
+    bool better = crossing.found && (crossing.t < nearest.t || (crossing.t == nearest.t && object < nearest.object));
+    return replacedIf(better, nearest, crossing, object);
+}
+
 // 0 where the crossing stands between a surface and a light at that distance, else 1.
 float unblocked(Crossing crossing, float distance)
 {

@@ -24,6 +24,9 @@ vec3 outwardNormal(Ray ray, Nearest hit, int kind, Shape shape)
 #endif
     normal = round ? radial : normal;
 #endif
+#ifdef HAS_CHOSEN_KERNELS
+    normal = chosenNormal(ray.origin + hit.t * ray.direction, hit, normal);
+#endif
     return normal;
 }
 
@@ -38,6 +41,9 @@ vec3 hitPosition(Ray ray, Nearest hit, int kind, Shape shape, vec3 outward)
 #endif
 #ifdef HAS_SPHERE
     position = kind == KIND_SPHERE ? shape.anchor.xyz + shape.anchor.w * outward : position;
+#endif
+#ifdef HAS_CHOSEN_KERNELS
+    position = chosenPosition(ray.origin + hit.t * ray.direction, hit.object, outward, position);
 #endif
     return position;
 }

@@ -6,12 +6,13 @@ int firstOfKind(int kind)
     return int(u_kind_first[kind].x);
 }
 
-// As nearer(), for objects that are not asked in order of their ids.
-Nearest nearerOfAnyOrder(Nearest nearest, Crossing crossing, int object)
+#ifdef HAS_CHOSEN_KERNELS
+// Objects with kernels of their own stand behind all kinds, and their calls in the text.
+bool standsApart(int object)
 {
-    bool better = crossing.found && (crossing.t < nearest.t || (crossing.t == nearest.t && object < nearest.object));
-    return replacedIf(better, nearest, crossing, object);
+    return int(u_index[object].x) >= firstOfKind(KIND_COUNT);
 }
+#endif
 
 // Where the ray meets one object, whatever its kind.
 Crossing crossingOf(Ray ray, int object, int kind, Shape shape)
@@ -64,6 +65,9 @@ Nearest nearestHit(Ray ray)
             nearest = nearerOfAnyOrder(nearest, crossingOf(ray, object, kind, u_shapes[slot]), object);
         }
     }
+#ifdef HAS_CHOSEN_KERNELS
+    nearest = nearestOfChosen(ray, nearest);
+#endif
     return nearest;
 }
 
@@ -99,6 +103,10 @@ vec3 lightThrough(Ray ray, float distance, int glowing)
         int shadow = int(materialOf(object).shadow_tint.w);
         if (object == glowing || shadow == SHADOW_NONE)
             continue;
+#ifdef HAS_CHOSEN_KERNELS
+        if (standsApart(object))
+            continue;
+#endif
         int kind = kindOf(object);
         Shape shape = shapeOf(object);
 #ifdef HAS_TINTED_SHADOWS
@@ -110,5 +118,8 @@ vec3 lightThrough(Ray ray, float distance, int glowing)
         through *= unblocked(crossingOf(ray, object, kind, shape), distance);
 #endif
     }
+#ifdef HAS_CHOSEN_KERNELS
+    through *= lightThroughChosen(ray, distance, glowing);
+#endif
     return through;
 }

@@ -58,4 +58,10 @@ layout(std140) uniform MovingBlock
     Shape u_moving[MOVING_COUNT];
 };
 
+// And what is read besides of those that have kernels of their own.
+layout(std140) uniform FineBlock
+{
+    FineShape u_fine[MOVING_COUNT];
+};
+
 uniform sampler2D u_sky_picture; // latitude-longitude, linear radiance

@@ -36,7 +36,9 @@ struct PackedObject {
     int kind = 0;     // packed::KIND_...
     int material = 0; // index into PackedScene::materials
     packed::Shape shape{};
-    int moving = -1; // slot of u_moving in literal geometry, -1 for an object that stands still
+    packed::FineShape fine{};
+    bool apart = false; // has a kernel of its own, and no place among its kind
+    int moving = -1;    // slot of u_moving in literal geometry, -1 for an object that stands still
 };
 
 enum class RayTree { single, chain, heaviestFirst, breadthFirst, depthFirst };
@@ -63,10 +65,13 @@ struct PackedScene {
 
 // The table of glsl/trace/scene_loop.glsl.
 struct ShapeTable {
-    std::vector<packed::Shape> shapes; // sorted by kind, then by object id
+    std::vector<packed::Shape> shapes; // sorted by kind, then by object id; last those that stand apart
     std::vector<packed::vec4> index;
     std::array<packed::vec4, packed::KIND_COUNT + 1> kindFirst{};
 };
 ShapeTable shapeTable(const PackedScene& scene);
+
+// The same with every object among its kind.
+ShapeTable plainShapeTable(const PackedScene& scene);
 
 } // namespace dioptre

@@ -212,7 +212,7 @@ static void renderRow(const PackedScene& scene, const vec2& corner, int y, int s
 Picture renderReference(const PackedScene& scene, int width, int height, int samples,
                         const PixelRectangle& region)
 {
-    ShapeTable table = shapeTable(scene);
+    ShapeTable table = plainShapeTable(scene);
     if (scene.objects.empty()) {
         table.shapes.emplace_back();
         table.index.emplace_back(0.0);

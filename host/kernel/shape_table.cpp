@@ -1,28 +1,53 @@
 #include "kernel/packed_scene.h"
 
+#include <functional>
+
 namespace dioptre
 {
+namespace
+{
 
-ShapeTable shapeTable(const PackedScene& scene)
+// Appends those objects of a kind for which `takes`.
+void append(ShapeTable& table, const PackedScene& scene, int kind,
+            const std::function<bool(const PackedObject&)>& takes)
+{
+    for (std::size_t id = 0; id < scene.objects.size(); ++id) {
+        const PackedObject& object = scene.objects[id];
+        if (object.kind != kind || !takes(object))
+            continue;
+        const auto slot = table.shapes.size();
+        table.index[id].x = static_cast<double>(slot);
+        table.index[id].y = kind;
+        table.index[id].z = object.material;
+        table.index[slot].w = static_cast<double>(id);
+        table.shapes.push_back(object.shape);
+    }
+}
+
+ShapeTable tableOf(const PackedScene& scene, const std::function<bool(const PackedObject&)>& amongKind)
 {
     ShapeTable table;
     table.index.resize(scene.objects.size());
     for (int kind = 0; kind < packed::KIND_COUNT; ++kind) {
-        const auto index = static_cast<std::size_t>(kind);
-        table.kindFirst[index].x = static_cast<double>(table.shapes.size());
-        for (std::size_t object = 0; object < scene.objects.size(); ++object) {
-            if (scene.objects[object].kind != kind)
-                continue;
-            const auto slot = table.shapes.size();
-            table.index[object].x = static_cast<double>(slot);
-            table.index[object].y = kind;
-            table.index[object].z = scene.objects[object].material;
-            table.index[slot].w = static_cast<double>(object);
-            table.shapes.push_back(scene.objects[object].shape);
-        }
+        table.kindFirst[static_cast<std::size_t>(kind)].x = static_cast<double>(table.shapes.size());
+        append(table, scene, kind, amongKind);
     }
     table.kindFirst.back().x = static_cast<double>(table.shapes.size());
+    for (int kind = 0; kind < packed::KIND_COUNT; ++kind)
+        append(table, scene, kind, std::not_fn(amongKind));
     return table;
+}
+
+} // namespace
+
+ShapeTable shapeTable(const PackedScene& scene)
+{
+    return tableOf(scene, [](const PackedObject& object) { return !object.apart; });
+}
+
+ShapeTable plainShapeTable(const PackedScene& scene)
+{
+    return tableOf(scene, [](const PackedObject&) { return true; });
 }
 
 } // namespace dioptre

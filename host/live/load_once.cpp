@@ -100,7 +100,7 @@ void loadScene(Loaded& loaded, const DeviceTraits& device, const std::string& te
             takePictures(seen, plan, packed, loaded.view.pictures, kept);
         });
     loaded.pictures = kept.fingerprint;
-    result.parts = assembleParts(result.prepared, loaded.view.glslFolder, device.sharedVectors);
+    result.parts = assembleParts(result.prepared, loaded.view.glslFolder, device.shader);
     for (const auto& part : result.parts)
         loaded.texts += flatten(part.shader) + flatten(part.vertex);
     if (loaded.texts != request.shownTexts)

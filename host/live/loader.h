@@ -2,6 +2,7 @@
 #pragma once
 
 #include "live/loaded.h"
+#include "render/shader_device.h"
 
 #include <condition_variable>
 #include <functional>
@@ -14,7 +15,7 @@ namespace dioptre
 // What of the device texts hang on.
 struct DeviceTraits {
     bool software = false;
-    int sharedVectors = 0; // vec4 from the vertex stage to a pixel
+    ShaderDevice shader;
     double drawLimit_s = 30.0;
 };
 

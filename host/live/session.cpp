@@ -5,7 +5,7 @@
 #include "command/plain_options.h"
 #include "gl/object_count.h"
 #include "render/pack.h"
-#include "render/shared_values.h"
+#include "render/shader_device.h"
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ using Clock = LiveClock::Clock;
 
 DeviceTraits traitsOf(const ContextInfo& context, double drawLimit_s)
 {
-    return {context.software, sharedVectorsOfContext(), drawLimit_s};
+    return {context.software, shaderDevice(glslFolder()), drawLimit_s};
 }
 
 glm::ivec2 sizeOf(const LiveOptions& options, const std::optional<Remembered>& remembered)

@@ -145,7 +145,8 @@ std::string sceneText(const Scene& scene, const Plan& plan, const PackedScene& p
     text +=
         plan.has("geometry table") ? includeText(sceneTableFile) : lookupText(typicalOf(scene), packed, plan);
     if (plan.form == SceneForm::loop && plan.has("objects"))
-        return text + includeText(sceneLoopFile);
+        return text + (plan.choosesKernels() ? literalApart(scene, packed, plan) : "") +
+               includeText(sceneLoopFile);
     return text + literalScene(scene, packed, plan);
 }
 

@@ -15,9 +15,8 @@ struct AssembledPart {
     SourceText vertex;
 };
 
-// Of all parts, the fullest last, for a device that carries so many vec4 from the vertex stage to a pixel.
-// Throws as assemble().
+// Of all parts, the fullest last. Throws as assemble().
 std::vector<AssembledPart> assembleParts(const PreparedScene& prepared,
-                                         const std::filesystem::path& glslFolder, int mostShared);
+                                         const std::filesystem::path& glslFolder, const ShaderDevice& device);
 
 } // namespace dioptre

@@ -1,6 +1,5 @@
+#include "render/kernel_choice.h"
 #include "render/pack.h"
-
-#include "scene/direction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,18 +42,6 @@ std::optional<Bound> boundOf(const Primitive& primitive)
                                        glm::distance(middle, triangle->c)})};
     }
     return std::nullopt;
-}
-
-// A lower bound of the distance from a point to a surface: exact for spheres and planes.
-double distanceTo(const Primitive& primitive, const glm::dvec3& point)
-{
-    if (const auto* plane = std::get_if<Plane>(&primitive))
-        return std::abs(glm::dot(point - plane->point, unit(plane->normal)));
-    const Bound bound = *boundOf(primitive);
-    const double fromBound = glm::distance(point, bound.centre) - bound.radius;
-    if (std::holds_alternative<Sphere>(primitive))
-        return std::abs(fromBound);
-    return std::max(0.0, fromBound);
 }
 
 // The diagonal of the box around the eye and everything bounded; metres.

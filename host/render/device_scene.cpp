@@ -92,12 +92,14 @@ void uploadTextures(DeviceScene& device, const std::vector<const Plan*>& plans, 
     }
 }
 
-std::vector<float> movingValues(const PackedScene& packed)
+// A struct of every object that moves.
+template <typename Struct>
+std::vector<float> movingValues(const PackedScene& packed, Struct PackedObject::*of)
 {
     std::vector<float> values;
     for (const auto& object : packed.objects) // slots rise with the ids
         if (object.moving >= 0)
-            append(values, object.shape);
+            append(values, object.*of);
     return values;
 }
 
@@ -133,7 +135,9 @@ BlockContents contentsOf(const std::string& block, const PackedScene& packed)
         return structs(packed.lights, "lights");
     if (block == "ShapeBlock")
         return {shapeValues(packed), "objects, which this shader reads from a table,"};
-    return {movingValues(packed), "objects that move"};
+    if (block == "FineBlock")
+        return {movingValues(packed, &PackedObject::fine), "objects that move"};
+    return {movingValues(packed, &PackedObject::shape), "objects that move"};
 }
 
 // Throws badInput where the driver's blocks are smaller.
@@ -218,6 +222,8 @@ std::vector<std::string> plannedBlocks(const Plan& plan)
         names.emplace_back("ShapeBlock");
     if (plan.has("moving geometry"))
         names.emplace_back("MovingBlock");
+    if (plan.readsFine)
+        names.emplace_back("FineBlock");
     return names;
 }
 
@@ -245,6 +251,8 @@ std::vector<std::string> plannedUniforms(const Plan& plan)
         names.emplace_back("u_depth");
     if (plan.has("ambient light"))
         names.emplace_back("u_ambient");
+    if (plan.choosesKernels() && plan.guard == Guard::unit)
+        names.emplace_back("u_one");
     return names;
 }
 
@@ -320,6 +328,7 @@ std::map<std::string, std::vector<double>> fixedUniforms(const PackedScene& pack
             {"u_budget", {static_cast<double>(packed.budget)}},
             {"u_cut_off", {packed.cutOff}},
             {"u_depth", {static_cast<double>(packed.depth)}},
+            {"u_one", {1.0}},
             {"u_ambient", {packed.ambient.x, packed.ambient.y, packed.ambient.z}}};
 }
 

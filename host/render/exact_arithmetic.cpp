@@ -1,5 +1,6 @@
 #include "render/exact_arithmetic.h"
 
+#include "gl/limits.h"
 #include "gl/texture.h"
 #include "render/device_scene.h"
 #include "render/probe.h"
@@ -30,6 +31,34 @@ float floatOf(std::uint32_t sign, int exponent, std::uint32_t mantissa)
 {
     return std::bit_cast<float>(sign << 31 | static_cast<std::uint32_t>(exponent + 127) << 23 | mantissa);
 }
+
+const std::set<std::string> byUnit{"HAS_UNIT"};
+const std::set<std::string> byPrecise{"HAS_GPU_SHADER5", "HAS_PRECISE"};
+
+// Compiles glsl/kernel/exact.glsl with features and compares what it gives with the exact results.
+class ExactTest
+{
+public:
+    explicit ExactTest(const std::filesystem::path& glslFolder)
+        : glslFolder_(glslFolder), pairs_(exactTestPairs()), table_(uploadTable(tableOf(pairs_)))
+    {
+    }
+
+    ExactTally operator()(const std::set<std::string>& features) const
+    {
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D, table_.name());
+        const Program program = useProbe(glslFolder_, "probe/exact", features);
+        glUniform1i(locationOf(program, "u_pairs"), 0);
+        glUniform1f(locationOf(program, "u_one"), 1.0F);
+        return judgeExact(pairs_, drawProbe(tableSide, tableSide).floats);
+    }
+
+private:
+    std::filesystem::path glslFolder_;
+    std::vector<FloatPair> pairs_;
+    Texture table_;
+};
 
 Extremes testExtremes(const std::filesystem::path& glslFolder)
 {
@@ -85,21 +114,12 @@ ExactTally judgeExact(std::span<const FloatPair> pairs, std::span<const float> g
 
 ExactArithmetic testExactArithmetic(const std::filesystem::path& glslFolder, bool gpuShader5)
 {
-    const std::vector<FloatPair> pairs = exactTestPairs();
-    const Texture table = uploadTable(tableOf(pairs));
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, table.name());
-    const auto test = [&](const std::set<std::string>& features) {
-        const Program program = useProbe(glslFolder, "probe/exact", features);
-        glUniform1i(locationOf(program, "u_pairs"), 0);
-        glUniform1f(locationOf(program, "u_one"), 1.0F);
-        return judgeExact(pairs, drawProbe(tableSide, tableSide).floats);
-    };
+    const ExactTest test(glslFolder);
     ExactArithmetic arithmetic;
     arithmetic.plain = test({});
-    arithmetic.unit = test({"HAS_UNIT"});
+    arithmetic.unit = test(byUnit);
     if (gpuShader5) {
-        arithmetic.precise = test({"HAS_GPU_SHADER5", "HAS_PRECISE"});
+        arithmetic.precise = test(byPrecise);
         arithmetic.fma = test({"HAS_GPU_SHADER5", "HAS_PRECISE", "HAS_FMA"}).twoProduct;
     }
     arithmetic.extremes = testExtremes(glslFolder);
@@ -111,6 +131,14 @@ Guard guardOf(const ExactArithmetic& arithmetic)
     if (arithmetic.precise.right())
         return Guard::precise;
     return arithmetic.unit.right() ? Guard::unit : Guard::none;
+}
+
+Guard findGuard(const std::filesystem::path& glslFolder)
+{
+    const ExactTest test(glslFolder);
+    if (deviceLimits().gpuShader5 && test(byPrecise).right())
+        return Guard::precise;
+    return test(byUnit).right() ? Guard::unit : Guard::none;
 }
 
 } // namespace dioptre

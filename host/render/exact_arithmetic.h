@@ -64,6 +64,9 @@ ExactArithmetic testExactArithmetic(const std::filesystem::path& glslFolder, boo
 enum class Guard { precise, unit, none };
 Guard guardOf(const ExactArithmetic& arithmetic); // none: compensated kernels are off
 
+// The same from as few tests as that takes, on the current context.
+Guard findGuard(const std::filesystem::path& glslFolder);
+
 // Pairs of both signs over 23 decades, from a fixed seed; sums and products and their errors are normal
 // floats.
 std::vector<FloatPair> exactTestPairs();

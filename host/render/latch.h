@@ -10,8 +10,9 @@ namespace dioptre
 // it is so in both, and constants stay relative to the origin that they had. So scenes that are each latched
 // on the last one gather features, and their shader's text changes with a number only where that brings in a
 // feature for the first time: an amount that leaves 0 or a share that leaves 1, a trace.depth, an eye that
-// enters an opaque solid, a camera for which the origin serves no more (originServes()), and under the
-// breadth-first and depth-first orders a larger budget than before. The picture is the scene's own.
+// enters an opaque solid, a camera for which the origin serves no more (originServes()) or some kernel is too
+// coarse, and under the breadth-first and depth-first orders a larger budget than before. The picture is the
+// scene's own.
 //
 // Does nothing where they differ in more: in the number, names, kinds, materials, pictures or order of
 // things, in a medium, the kind of sky, light type, tree order, form, plan or in what is animated. Shapes and

@@ -1,5 +1,6 @@
 #include "render/literal.h"
 
+#include "render/literal_kernels.h"
 #include "render/lookup.h"
 
 #include <fmt/format.h>
@@ -16,49 +17,6 @@ glm::dvec3 xyz(const glm::dvec4& v)
     return glm::dvec3(v.x, v.y, v.z);
 }
 
-constexpr ShapeRow anchorRow{"anchor", &packed::Shape::anchor};
-constexpr ShapeRow axisRow{"axis", &packed::Shape::axis};
-constexpr ShapeRow alongURow{"along_u", &packed::Shape::along_u};
-constexpr ShapeRow alongVRow{"along_v", &packed::Shape::along_v};
-
-// A kernel's arguments after the ray and the object.
-std::string geometry(const PackedObject& object)
-{
-    const auto anchor = rowText(object, anchorRow, ".xyz");
-    const auto axis = rowText(object, axisRow, ".xyz");
-    const auto alongU = rowText(object, alongURow, ".xyz");
-    const auto alongV = rowText(object, alongVRow, ".xyz");
-    const auto radius = rowText(object, anchorRow, ".w");
-    switch (object.kind) {
-    case packed::KIND_SPHERE:
-        return anchor + ", " + radius;
-    case packed::KIND_OPEN_CYLINDER:
-    case packed::KIND_CAPPED_CYLINDER:
-        return fmt::format("{}, {}, {}, {}", anchor, axis, radius, rowText(object, axisRow, ".w"));
-    case packed::KIND_PLANE:
-        return anchor + ", " + axis;
-    case packed::KIND_DISK:
-        return fmt::format("{}, {}, {}", anchor, axis, radius);
-    case packed::KIND_RECTANGLE:
-        return fmt::format("{}, {}, {}, {}", anchor, axis, alongU, alongV);
-    default:
-        return fmt::format("{}, {}, {}, {}", anchor, alongU, alongV, axis);
-    }
-}
-
-const char* kernelOf(int kind)
-{
-    constexpr const char* names[packed::KIND_COUNT] = {"sphere", "openCylinder", "cappedCylinder", "plane",
-                                                       "disk",   "rectangle",    "triangle"};
-    return names[kind];
-}
-
-std::string crossingOf(const PackedObject& object, const Plan& plan, std::size_t id)
-{
-    return fmt::format("{}{}(ray, {}, {})", kernelOf(object.kind),
-                       plan.enteredOnly[id] ? "Entry" : "Crossing", id, geometry(object));
-}
-
 // The object's name may hold anything; in the shader's comment stands what GLSL's character set allows, and
 // no backslash, which would draw the next line into the comment.
 std::string commentOf(const Object& object, std::size_t id)
@@ -69,41 +27,44 @@ std::string commentOf(const Object& object, std::size_t id)
     return fmt::format("    // {}{}\n", id, name);
 }
 
-std::string nearestHitText(const Scene& scene, const PackedScene& packed, const Plan& plan)
+// One statement an object, for all or for those that stand apart from a table.
+std::string nearestOfEach(const Scene& scene, const PackedScene& packed, const Plan& plan, bool apart)
 {
-    std::string text = "// The first object that the ray meets.\n"
-                       "Nearest nearestHit(Ray ray)\n{\n    Nearest nearest = nothingYet();\n";
+    std::string text;
     for (std::size_t id = 0; id < packed.objects.size(); ++id) {
-        if (!plan.seen[id])
+        if (!plan.seen[id] || (apart && !packed.objects[id].apart))
             continue;
         text += commentOf(scene.objects[id], id);
-        text += fmt::format("    nearest = nearer(nearest, {}, {});\n",
-                            crossingOf(packed.objects[id], plan, id), id);
+        text += fmt::format("    nearest = {}(nearest, {}, {});\n", apart ? "nearerOfAnyOrder" : "nearer",
+                            crossingCall(packed.objects[id], plan, id), id);
     }
     return text + "    return nearest;\n}\n\n";
+}
+
+std::string nearestHitText(const Scene& scene, const PackedScene& packed, const Plan& plan)
+{
+    return "// The first object that the ray meets.\n"
+           "Nearest nearestHit(Ray ray)\n{\n    Nearest nearest = nothingYet();\n" +
+           nearestOfEach(scene, packed, plan, false);
 }
 
 // The factor by which one object lets light through.
 std::string throughOne(const PackedObject& object, const Plan& plan, int shadow, std::size_t id)
 {
     if (shadow == packed::SHADOW_OPAQUE)
-        return fmt::format("unblocked({}, distance)", crossingOf(object, plan, id));
+        return fmt::format("unblocked({}, distance)", crossingCall(object, plan, id));
     const auto table = shadowMaterial(plan, static_cast<std::size_t>(object.material));
     if (object.kind == packed::KIND_SPHERE || object.kind == packed::KIND_CAPPED_CYLINDER)
-        return fmt::format("solidTint({}Span(ray, {}), ray, {}, distance, {})", kernelOf(object.kind),
-                           geometry(object), id, table);
+        return fmt::format("solidTint({}, ray, {}, distance, {})", spanCall(object, plan, id), id, table);
     if (object.kind == packed::KIND_PLANE)
-        return fmt::format("planeTint({}, ray, distance, {}, {})", crossingOf(object, plan, id),
-                           geometry(object), table);
-    return fmt::format("wallTint({}, distance, {})", crossingOf(object, plan, id), table);
+        return fmt::format("planeTint({}, ray, distance, {}, {})", crossingCall(object, plan, id),
+                           plainArguments(object), table);
+    return fmt::format("wallTint({}, distance, {})", crossingCall(object, plan, id), table);
 }
 
-std::string lightThroughText(const Scene& scene, const PackedScene& packed, const Plan& plan)
+std::string throughEach(const Scene& scene, const PackedScene& packed, const Plan& plan, bool apart)
 {
-    std::string text =
-        "// The share of the light from that distance along the ray that arrives; `glowing` does not shade "
-        "its own light.\n"
-        "vec3 lightThrough(Ray ray, float distance, int glowing)\n{\n    float open = 1.0;\n";
+    std::string text = "{\n    float open = 1.0;\n";
     const bool tinted = plan.has("tinted shadows");
     if (tinted)
         text += "    vec3 tint = vec3(1.0);\n";
@@ -111,7 +72,7 @@ std::string lightThroughText(const Scene& scene, const PackedScene& packed, cons
         const auto& object = packed.objects[id];
         const auto& material = packed.materials[static_cast<std::size_t>(object.material)];
         const int shadow = static_cast<int>(material.shadow_tint.w);
-        if (shadow == packed::SHADOW_NONE)
+        if (shadow == packed::SHADOW_NONE || (apart && !object.apart))
             continue;
         const bool opaque = shadow == packed::SHADOW_OPAQUE;
         auto factor = throughOne(object, plan, shadow, id);
@@ -122,6 +83,20 @@ std::string lightThroughText(const Scene& scene, const PackedScene& packed, cons
     }
     return text +
            (tinted ? "    return open > 0.0 ? tint : vec3(0.0);\n}\n\n" : "    return vec3(open);\n}\n\n");
+}
+
+std::string lightThroughText(const Scene& scene, const PackedScene& packed, const Plan& plan)
+{
+    return "// The share of the light from that distance along the ray that arrives; `glowing` does not "
+           "shade "
+           "its own light.\n"
+           "vec3 lightThrough(Ray ray, float distance, int glowing)\n" +
+           throughEach(scene, packed, plan, false);
+}
+
+std::string partText(const glm::dvec4& values, std::string_view part)
+{
+    return part == ".xyz" ? literal(xyz(values)) : literal(values.w);
 }
 
 } // namespace
@@ -147,13 +122,30 @@ std::string rowText(const PackedObject& object, const ShapeRow& row, std::string
 {
     if (object.moving >= 0)
         return fmt::format("u_moving[{}].{}{}", object.moving, row.name, part);
-    const glm::dvec4& values = object.shape.*row.values;
-    return part == ".xyz" ? literal(xyz(values)) : literal(values.w);
+    return partText(object.shape.*row.values, part);
+}
+
+std::string rowText(const PackedObject& object, const FineRow& row, std::string_view part)
+{
+    if (object.moving >= 0)
+        return fmt::format("u_fine[{}].{}{}", object.moving, row.name, part);
+    return partText(object.fine.*row.values, part);
 }
 
 std::string literalScene(const Scene& scene, const PackedScene& packed, const Plan& plan)
 {
-    return nearestHitText(scene, packed, plan) + lightThroughText(scene, packed, plan);
+    const std::string chosen = plan.choosesKernels() ? chosenSurfaces(packed, plan) : "";
+    return nearestHitText(scene, packed, plan) + lightThroughText(scene, packed, plan) + chosen;
+}
+
+std::string literalApart(const Scene& scene, const PackedScene& packed, const Plan& plan)
+{
+    return "// The nearer of the first hit so far and of those on objects with kernels of their own.\n"
+           "Nearest nearestOfChosen(Ray ray, Nearest soFar)\n{\n    Nearest nearest = soFar;\n" +
+           nearestOfEach(scene, packed, plan, true) +
+           "// As lightThrough(), of the same.\n"
+           "vec3 lightThroughChosen(Ray ray, float distance, int glowing)\n" +
+           throughEach(scene, packed, plan, true) + chosenSurfaces(packed, plan);
 }
 
 } // namespace dioptre

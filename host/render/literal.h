@@ -22,11 +22,22 @@ struct ShapeRow {
     glm::dvec4 packed::Shape::*values;
 };
 
+// A row of FineShape.
+struct FineRow {
+    const char* name;
+    glm::dvec4 packed::FineShape::*values;
+};
+
 // The part ".xyz" or ".w" of a row of an object's geometry: constants, or the uniforms of one that moves.
 std::string rowText(const PackedObject& object, const ShapeRow& row, std::string_view part);
+std::string rowText(const PackedObject& object, const FineRow& row, std::string_view part);
 
 // nearestHit() and lightThrough() with every object's geometry as constants, or as uniforms where it moves,
 // one call of a kernel per object in the order of their ids.
 std::string literalScene(const Scene& scene, const PackedScene& packed, const Plan& plan);
+
+// The same of those that stand apart from the table of glsl/trace/scene_loop.glsl: nearestOfChosen() and
+// lightThroughChosen().
+std::string literalApart(const Scene& scene, const PackedScene& packed, const Plan& plan);
 
 } // namespace dioptre

@@ -1,5 +1,7 @@
 #include "render/pack.h"
 
+#include "render/pack_fine.h"
+
 #include "scene/camera.h"
 
 #include <algorithm>
@@ -200,9 +202,12 @@ PackedScene pack(const Scene& scene, const Plan& plan, const View& view)
     // Constants in the shader's text are relative to it: it stays where it is while the camera moves.
     const glm::dvec3 origin = sceneOrigin(typicalOf(scene));
     PackedScene result;
-    for (const auto& object : scene.objects) {
+    for (std::size_t id = 0; id < scene.objects.size(); ++id) {
+        const auto& object = scene.objects[id];
         result.objects.push_back(packShape(object, origin));
         refuseBeyondFloat(object, result.objects.back());
+        result.objects.back().apart = plan.kernels[id] != KernelForm::plain;
+        result.objects.back().fine = packFine(object.primitive, origin);
         result.objects.back().material = indexIn(plan.materials, object.material);
     }
     for (std::size_t i = 0; i < scene.moving.size(); ++i)

@@ -12,16 +12,6 @@ namespace dioptre
 namespace
 {
 
-// "5 values: a, b, c, …".
-std::string countedNames(const std::vector<std::string>& names)
-{
-    constexpr std::size_t shown = 3;
-    const std::vector<std::string> first(names.begin(),
-                                         names.begin() + static_cast<long>(std::min(shown, names.size())));
-    return fmt::format("{} value{}: {}{}", names.size(), names.size() == 1 ? "" : "s", join(first, ", "),
-                       names.size() > shown ? ", …" : "");
-}
-
 // "2 objects" of a shape for which `holds`, "" where there is none.
 template <typename Shape>
 std::string countOf(
@@ -36,6 +26,15 @@ std::string countOf(
 
 } // namespace
 
+std::string countedNames(const std::vector<std::string>& names, const std::string& what)
+{
+    constexpr std::size_t shown = 3;
+    const std::vector<std::string> first(names.begin(),
+                                         names.begin() + static_cast<long>(std::min(shown, names.size())));
+    return fmt::format("{} {}{}: {}{}", names.size(), what, names.size() == 1 ? "" : "s", join(first, ", "),
+                       names.size() > shown ? ", …" : "");
+}
+
 Plan Planner::make()
 {
     findUsed();
@@ -48,6 +47,7 @@ Plan Planner::make()
     addUnderView(&Planner::sky, noLight);
     longitudes();
     within();
+    kernels();
     form();
     animation();
     gatherDefines();
@@ -107,9 +107,15 @@ void Planner::add(const std::string& name, bool in, const std::string& whyIn, co
 // lights has no tables to ask.
 bool Planner::canForce(const std::string& name, const std::vector<std::string>& defines) const
 {
-    static const std::set<std::string> forms = {
-        "light loops",     "shared view",    "shared lights",           "shared materials",
-        "moving geometry", "tinted shadows", "arctangent by polynomial"};
+    static const std::set<std::string> forms = {"light loops",
+                                                "shared view",
+                                                "shared lights",
+                                                "shared materials",
+                                                "moving geometry",
+                                                "tinted shadows",
+                                                "arctangent by polynomial",
+                                                "compensated kernels",
+                                                "kernels by curvature"};
     if (scene_.plan.force != PlanChoices::Force::all || plan_.view != DataView::none ||
         scene_.objects.empty() || defines.empty() || forms.contains(name))
         return false;
@@ -207,9 +213,9 @@ void Planner::animation()
 {
     const auto moving = scene_.moving.size();
     const bool literal = plan_.form == SceneForm::literal;
-    add("animation", !scene_.animated.empty(), countedNames(scene_.animated), "nothing changes with time",
-        {});
-    add("moving geometry", literal && moving > 0,
+    add("animation", !scene_.animated.empty(), countedNames(scene_.animated, "value"),
+        "nothing changes with time", {});
+    add("moving geometry", moving > 0 && (literal || plan_.readsFine),
         fmt::format("{} object{}: geometry as uniforms", moving, moving == 1 ? "" : "s"),
         moving == 0 ? "no object moves" : "trace.form is loop: all geometry is in the table", {});
 }
@@ -225,12 +231,12 @@ const Feature& Plan::feature(const std::string& name) const
 
 Plan makePlan(const Scene& scene, DataView view)
 {
-    return makePlan(scene, view, mostSharedVectors);
+    return makePlan(scene, view, ShaderDevice());
 }
 
-Plan makePlan(const Scene& scene, DataView view, int mostShared, std::vector<bool> seen)
+Plan makePlan(const Scene& scene, DataView view, const ShaderDevice& device, std::vector<bool> seen)
 {
-    return Planner(scene, view, mostShared, std::move(seen)).make();
+    return Planner(scene, view, device, std::move(seen)).make();
 }
 
 } // namespace dioptre

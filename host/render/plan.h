@@ -4,6 +4,8 @@
 
 #include "kernel/packed_scene.h"
 #include "render/data_view.h"
+#include "render/kernel_choice.h"
+#include "render/shader_device.h"
 #include "scene/scene.h"
 
 #include <set>
@@ -62,8 +64,16 @@ struct Plan {
     bool padPictures = true;             // whether smaller pictures share the array of larger ones
     std::vector<SharedValue> shared;     // what comes through the vertex stage
     std::vector<bool> enteredOnly;       // by object: a solid that no ray is ever within
+    std::vector<KernelForm> kernels;     // by object
+    Guard guard = Guard::none;           // of compensated kernels, where there are any
+    bool readsFine = false;              // whether the shader reads FineBlock
     bool readsMaterials = false;         // whether the shader reads any number of a material
 
+    // Whether some object has a kernel of its own.
+    bool choosesKernels() const
+    {
+        return defines.contains("HAS_CHOSEN_KERNELS");
+    }
     const Feature& feature(const std::string& name) const; // must exist
     bool has(const std::string& name) const
     {
@@ -89,9 +99,9 @@ int defaultBudget(const Scene& scene, const std::vector<std::size_t>& materials)
 // at every time.
 Plan makePlan(const Scene& scene, DataView view = DataView::none);
 
-// The same with no more than so many vec4 through the vertex stage, for a device that carries fewer; and for
-// a part of the picture where rays meet the seen objects alone. Its materials, lights and pictures have the
-// places that they have in the whole picture's plan.
-Plan makePlan(const Scene& scene, DataView view, int mostShared, std::vector<bool> seen = {});
+// The same for a device, where the one above is for any that keeps its promises; and for a part of the
+// picture where rays meet the seen objects alone. Its materials, lights and pictures have the places that
+// they have in the whole picture's plan.
+Plan makePlan(const Scene& scene, DataView view, const ShaderDevice& device, std::vector<bool> seen = {});
 
 } // namespace dioptre

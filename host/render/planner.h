@@ -1,5 +1,6 @@
 // How the plan is made: the rows of its table, one topic a file (plan.cpp shapes, plan_surfaces.cpp surfaces
-// and rays, plan_lights.cpp lights and sky, plan_form.cpp the form that the scene takes in the shader).
+// and rays, plan_lights.cpp lights and sky, plan_kernels.cpp the kernels' precision, plan_form.cpp the form
+// that the scene takes in the shader).
 #pragma once
 
 #include "render/plan.h"
@@ -9,12 +10,15 @@
 namespace dioptre
 {
 
+// "5 values: a, b, c, …" of what is called a value.
+std::string countedNames(const std::vector<std::string>& names, const std::string& what);
+
 class Planner
 {
 public:
     // `seen` by object, or empty: all are.
-    Planner(const Scene& scene, DataView view, int mostShared, std::vector<bool> seen)
-        : scene_(typicalOf(scene)), mostShared_(mostShared)
+    Planner(const Scene& scene, DataView view, const ShaderDevice& device, std::vector<bool> seen)
+        : scene_(typicalOf(scene)), mostShared_(device.sharedVectors), guard_(device.guard)
     {
         plan_.view = view;
         plan_.seen = seen.empty() ? std::vector<bool>(scene_.objects.size(), true) : std::move(seen);
@@ -67,6 +71,7 @@ private:
     void sky();
     void longitudes(); // after surfaces and sky, which ask for them
     void within();
+    void kernels();
     void form();
     void values();
     // Adds rows; those that are out are so for the view's sake where `byView` holds, whatever the scene
@@ -77,6 +82,7 @@ private:
 
     const Scene& scene_;   // as it is at every time
     const int mostShared_; // vec4 through the vertex stage
+    const Guard guard_;    // of compensated kernels
     Plan plan_;
     std::vector<bool> onObject_, isSeen_; // by material
     bool lit_ = false;                    // some surface shows light that falls on it

@@ -3,7 +3,7 @@
 #include "base/clock.h"
 #include "base/text.h"
 #include "render/build.h"
-#include "render/shared_values.h"
+#include "render/shader_device.h"
 #include "render/still.h"
 #include "render/view_picture.h"
 
@@ -48,7 +48,8 @@ Renderer::Renderer(const PreparedScene& prepared, const ViewSettings& view, cons
     const PackedScene& packed = prepared.packed;
     Stopwatch watch;
     if (assembled.empty())
-        assembled = assembleParts(prepared, view.glslFolder, sharedVectorsOfContext());
+        assembled = assembleParts(prepared, view.glslFolder,
+                                  shaderDevice(view.glslFolder, prepared.plan.choosesKernels()));
     dealSamples();
     for (auto& part : assembled)
         parts_.push_back({std::move(part), {}});

@@ -46,17 +46,6 @@ std::string textOf(const Place& place, int components)
 
 } // namespace
 
-int sharedVectorsOfContext()
-{
-    GLint outputs = 0;
-    GLint varyings = 0;
-    GLint inputs = 0;
-    glGetIntegerv(GL_MAX_VERTEX_OUTPUT_COMPONENTS, &outputs);
-    glGetIntegerv(GL_MAX_VARYING_COMPONENTS, &varyings);
-    glGetIntegerv(GL_MAX_FRAGMENT_INPUT_COMPONENTS, &inputs);
-    return std::min({outputs, varyings, inputs}) / 4;
-}
-
 std::vector<SharedValue> sharedView(const Plan& plan)
 {
     const auto has = [&](const char* define) { return plan.defines.contains(define); };

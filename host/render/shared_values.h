@@ -11,12 +11,6 @@
 namespace dioptre
 {
 
-// Most vec4 that travel: OpenGL 3.3 demands 128 components of a fragment shader's inputs.
-inline constexpr int mostSharedVectors = 32;
-
-// How many the current context carries from the vertex stage to a pixel: OpenGL 3.3 promises 15.
-int sharedVectorsOfContext();
-
 // What the plan's shader reads of the camera, the sky and the settings; of lights; of materials, those first
 // that weigh most.
 std::vector<SharedValue> sharedView(const Plan& plan);

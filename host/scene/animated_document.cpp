@@ -72,12 +72,14 @@ void nameChanges(Scene& scene, const AnimatedDocument& animation)
 
 } // namespace
 
-void checkKeys(const AnimatedDocument& animation)
+void visitKeys(AnimatedDocument& animation)
 {
     for (const double time_s : keyTimes(animation.tracks)) {
         try {
-            sceneWith(animation, time_s,
-                      [&](const Track& track) { return valueAt(track, time_s, Seam::last); });
+            Scene scene = sceneWith(animation, time_s,
+                                    [&](const Track& track) { return valueAt(track, time_s, Seam::last); });
+            nameChanges(scene, animation);
+            animation.sights.push_back(sightOf(scene, scene.camera));
         } catch (const Error&) {
             // A mixture may have failed of which a key is the cause: that is the place to name.
             checkKeysAlone(animation);
@@ -90,12 +92,13 @@ Scene sceneAt(const AnimatedDocument& animation, double time_s)
 {
     Scene scene = sceneWith(animation, time_s, [&](const Track& track) { return valueAt(track, time_s); });
     nameChanges(scene, animation);
-    // A moment that checkKeys() has found good; at 0 s there may be no key.
+    // A moment that visitKeys() has found good; at 0 s there may be no key.
     const double first_s = *keyTimes(animation.tracks).begin();
     scene.typical.push_back(sceneWith(animation, first_s, [&](const Track& track) {
         return mixesFreely(track) ? meanOf(track) : valueAt(track, first_s, Seam::last);
     }));
     nameChanges(scene.typical.front(), animation);
+    scene.typical.front().sights = animation.sights;
     return scene;
 }
 

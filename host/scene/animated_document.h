@@ -16,11 +16,12 @@ struct AnimatedDocument {
     std::vector<Track> tracks;
     std::filesystem::path path; // of the file
     SearchPlaces places;        // of its pictures
+    std::vector<Sight> sights;  // at the keys; filled in by visitKeys()
 };
 
 // Every key must give a good scene at its time, together with what the others are at by then. Throws badInput
 // at the value that does not.
-void checkKeys(const AnimatedDocument& animation);
+void visitKeys(AnimatedDocument& animation);
 
 // The scene at a time, with what of it changes and the typical scene. Throws badInput where a mixture of good
 // keys is no good, such as two opposite directions half-way.

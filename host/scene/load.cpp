@@ -80,8 +80,8 @@ SceneOverTime parseSceneOverTime(const std::string& text, const std::filesystem:
     if (tracks.empty())
         return [still = std::move(still)](double) { return still; };
     refuseOverridden(overridden, tracks);
-    AnimatedDocument animation{std::move(document), std::move(tracks), path, places};
-    checkKeys(animation);
+    AnimatedDocument animation{std::move(document), std::move(tracks), path, places, {}};
+    visitKeys(animation);
     return [animation = std::move(animation)](double time_s) { return sceneAt(animation, time_s); };
 }
 

@@ -13,7 +13,7 @@ PlanChoices readPlan(const Table& document)
         return plan;
     const TableReader reader(
         *section, "[plan]",
-        {"force", "values", "lookup", "within", "pictures", "tiles", "arctangent", "pool"});
+        {"force", "values", "lookup", "within", "pictures", "tiles", "arctangent", "pool", "kernels"});
     using Force = PlanChoices::Force;
     using Values = PlanChoices::Values;
     using Lookup = PlanChoices::Lookup;
@@ -37,6 +37,9 @@ PlanChoices readPlan(const Table& document)
                               {{"auto", Arctangent::automatic}, {"built-in", Arctangent::builtIn}});
     using Pool = PlanChoices::Pool;
     reader.choice<Pool>("pool", plan.pool, {{"auto", Pool::automatic}, {"always", Pool::always}});
+    using Kernels = PlanChoices::Kernels;
+    reader.choice<Kernels>("kernels", plan.kernels,
+                           {{"auto", Kernels::automatic}, {"plain", Kernels::plain}});
     return plan;
 }
 

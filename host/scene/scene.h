@@ -63,6 +63,7 @@ struct PlanChoices {
     enum class Tiles { automatic, on, off };
     enum class Arctangent { automatic, builtIn };
     enum class Pool { automatic, always };
+    enum class Kernels { automatic, plain };
     Force force = Force::none;               // all: every feature in, whether the scene needs it or not
     Values values = Values::automatic;       // how materials, lights and camera reach a pixel
     Pictures pictures = Pictures::automatic; // apart: only pictures of one size share an array
@@ -71,6 +72,7 @@ struct PlanChoices {
     Lookup lookup = Lookup::automatic;             // how the nearest object's surface is looked up
     Arctangent arctangent = Arctangent::automatic; // built-in: the driver's own in place of our polynomial
     Pool pool = Pool::automatic; // always: rays that split and a pool of 4, though no surface splits any
+    Kernels kernels = Kernels::automatic; // plain: no object's kernel is chosen for precision
     bool operator==(const PlanChoices&) const = default;
 };
 
@@ -158,6 +160,12 @@ struct Object {
     SourcePosition where;
 };
 
+// A camera, and where the moving objects are meanwhile.
+struct Sight {
+    Camera camera;
+    std::vector<Primitive> moving; // in the order of Scene::moving
+};
+
 struct Scene {
     std::string path; // of the file
     std::string title;
@@ -178,7 +186,20 @@ struct Scene {
     // time. All else is as at the first key. Where latch() made it from what earlier edits held too, the
     // scene's own comes second. None where nothing is animated or latched.
     std::vector<Scene> typical;
+
+    // Of what the plan is made from: how else its objects are looked at, at the keys of its animation or
+    // before the latest edits.
+    std::vector<Sight> sights;
 };
+
+// What a camera sees of the scene as it is.
+inline Sight sightOf(const Scene& scene, const Camera& camera)
+{
+    Sight sight{camera, {}};
+    for (const auto id : scene.moving)
+        sight.moving.push_back(scene.objects[id].primitive);
+    return sight;
+}
 
 // What holds at every time, and held before the latest edits: the scene itself where nothing is animated or
 // latched.

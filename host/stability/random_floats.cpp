@@ -6,19 +6,6 @@
 namespace dioptre
 {
 
-double asFloat(double value)
-{
-    // Through memory: where g++ 12.2 vectorises two such conversions it drops both, and the double stays what
-    // it was.
-    const volatile auto nearest = static_cast<float>(value);
-    return static_cast<double>(nearest);
-}
-
-glm::dvec3 asFloat(const glm::dvec3& value)
-{
-    return {asFloat(value.x), asFloat(value.y), asFloat(value.z)};
-}
-
 glm::dvec3 unitOf(const glm::dvec3& vector)
 {
     return vector / std::sqrt(vector.x * vector.x + vector.y * vector.y + vector.z * vector.z);

@@ -1,6 +1,8 @@
 // Random inputs of the suite: the same on every platform, and numbers that a float holds exactly.
 #pragma once
 
+#include "base/as_float.h"
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
@@ -9,10 +11,6 @@
 
 namespace dioptre
 {
-
-// To the nearest float; a device gets what the oracle gets.
-double asFloat(double value);
-glm::dvec3 asFloat(const glm::dvec3& value);
 
 // The vector over its length, without any approximate instruction.
 glm::dvec3 unitOf(const glm::dvec3& vector);

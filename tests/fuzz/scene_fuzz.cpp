@@ -33,7 +33,7 @@ void assembleAll(const Scene& scene)
 {
     const ViewSettings view{.width = 320, .height = 180, .glslFolder = fuzz::glslOfSources};
     const PreparedScene prepared = prepare(scene, view, giveTexels);
-    for (const auto& part : assembleParts(prepared, fuzz::glslOfSources, 15))
+    for (const auto& part : assembleParts(prepared, fuzz::glslOfSources, {15, Guard::unit}))
         fuzz::demand(!part.shader.empty() && !part.vertex.empty());
 }
 

@@ -46,7 +46,7 @@ std::vector<Stages> assembledParts(const std::filesystem::path& scene)
     const auto prepared = prepare(loadScene(scene, {"plan.tiles=on"}, 0.0, places()), settings);
     std::vector<Stages> stages;
     for (const auto& part : prepared.parts) {
-        const Plan plan = makePlan(prepared.scene, DataView::none, mostSharedVectors, part.seen);
+        const Plan plan = makePlan(prepared.scene, DataView::none, ShaderDevice(), part.seen);
         stages.push_back({flatten(assemble(prepared.scene, plan, prepared.packed, settings.glslFolder)),
                           flatten(assembleVertex(plan, prepared.packed, settings.glslFolder))});
     }

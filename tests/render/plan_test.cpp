@@ -88,6 +88,12 @@ const std::vector<Toggle> toggles = {
     {"animation", animated("camera.eye.0", "[0, 1]"), {}},
     {"moving geometry", animated("sphere.0.radius", "[1, 2]"), {"MovingBlock", "u_moving[0].anchor.w"}},
     {"ray stack", with("mirror = 0.5", "[trace]\norder = \"depth-first\"\n"), {"traceDepthFirst"}},
+    {"compensated kernels",
+     plain + "[[disk]]\ncentre = [1e5, 0, 4.9]\nnormal = [0, 0, 1]\nradius = 2e5\n",
+     {"fineDiskCrossing", "twoProduct", "chosenPosition", "u_one"}},
+    {"kernels by curvature",
+     plain + "[[sphere]]\ncentre = [0, -1e6, 5]\nradius = 999999.9\n",
+     {"curvedSphereCrossing", "spanOfQuadratic", "chosenNormal", "u_one"}},
     {"geometry table", with("", "[trace]\nform = \"loop\"\n"), {"ShapeBlock", "crossingOf"}},
 };
 
@@ -180,6 +186,37 @@ TEST(Plan, ArctangentBuiltIn_LeavesThePolynomialOut)
     EXPECT_EQ(assembled(sky + plain).fragment.find("return atan("), std::string::npos);
     EXPECT_EQ(assembled(builtIn + plain).plan.feature("arctangent by polynomial").reason,
               "no longitude is asked for");
+}
+
+TEST(Plan, OfTheStillLife_IsTheSameText_AsWithPlainKernelsAlone)
+{
+    const auto text =
+        readSceneText(std::filesystem::path(DIOPTRE_SOURCE_DIR) / "glsl/scenes/still_life.toml");
+    const auto usual = assembled(text);
+    const auto plainKernels = assembled(text + "\n[plan]\nkernels = \"plain\"\n");
+    EXPECT_FALSE(usual.plan.choosesKernels());
+    EXPECT_EQ(usual.fragment, plainKernels.fragment);
+    EXPECT_EQ(usual.vertex, plainKernels.vertex);
+    EXPECT_EQ(plainKernels.plan.feature("compensated kernels").reason, "plan.kernels is plain");
+}
+
+TEST(Plan, WhereADriversSumsAreNotExact_PlainKernelsStandInForCompensatedOnes)
+{
+    const Scene scene =
+        parseScene(plain + "[[disk]]\ncentre = [1e5, 0, 4.9]\nnormal = [0, 0, 1]\nradius = 2e5\n"
+                           "[[sphere]]\ncentre = [0, -1e6, 5]\nradius = 999999.9\n",
+                   "text.toml");
+    const auto curved = KernelForm::curved, compensated = KernelForm::compensated, usual = KernelForm::plain;
+    const auto formsOf = [&](Guard guard) {
+        return makePlan(scene, DataView::none, ShaderDevice{mostSharedVectors, guard}).kernels;
+    };
+    EXPECT_EQ(formsOf(Guard::unit), (std::vector{usual, compensated, curved}));
+    EXPECT_EQ(formsOf(Guard::none), (std::vector{usual, usual, curved}));
+    const Plan none = makePlan(scene, DataView::none, ShaderDevice{mostSharedVectors, Guard::none});
+    EXPECT_NE(none.feature("compensated kernels").reason.find("not exact"), std::string::npos);
+    EXPECT_FALSE(none.defines.contains("HAS_UNIT"));
+    EXPECT_TRUE(makePlan(scene, DataView::none, ShaderDevice{mostSharedVectors, Guard::precise})
+                    .defines.contains("HAS_PRECISE"));
 }
 
 TEST(Plan, PoolAlways_TakesAPoolOf4WhateverTheSurfacesDo)

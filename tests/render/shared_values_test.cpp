@@ -141,7 +141,7 @@ TEST(SharedValues, OnADeviceThatCarriesFewer_StayWithinThat)
 {
     // OpenGL 3.3 promises 60 components of varyings: 15 vec4.
     const Scene scene = underLightType(parseScene(bySelects + rowOfBalls(12, shiny), "text.toml"));
-    const Plan plan = makePlan(scene, DataView::none, 15);
+    const Plan plan = makePlan(scene, DataView::none, {15, Guard::unit});
     EXPECT_GT(vectorsOf(makePlan(scene).shared), 15);
     EXPECT_LE(vectorsOf(plan.shared), 15);
     EXPECT_TRUE(plan.has("shared view"));
