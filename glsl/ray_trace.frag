@@ -22,10 +22,14 @@
 #endif
 #include "kernel/dielectric.glsl"
 #include "kernel/lobe.glsl"
+#include "kernel/microfacet.glsl"
 #include "kernel/lat_long.glsl"
 #include "kernel/footprint.glsl"
 #include "trace/uniforms.glsl"
 #include "generated/receive.glsl"
+#ifdef HAS_TRUST
+#include "kernel/blur.glsl"
+#endif
 #include "trace/path.glsl"
 #include "trace/camera.glsl"
 #include "trace/nearest.glsl"
@@ -35,6 +39,9 @@
 #include "generated/lights.glsl"
 #include "trace/sky.glsl"
 #include "trace/lost_weight.glsl"
+#ifdef HAS_TRUST
+#include "trace/trust.glsl"
+#endif
 #include "trace/scatter.glsl"
 #include "generated/tree.glsl"
 

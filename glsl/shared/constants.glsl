@@ -8,6 +8,9 @@ const float FAR_AWAY = 1.0e30;
 // Nearer than this a point light grows no brighter; metres. A glowing sphere uses its radius.
 const float NEAREST_LIGHT = 1.0e-3;
 
+// Half the distance from 1 to the next float, whatever the arithmetic at hand.
+const float SINGLE_ROUNDOFF = 5.9604644775390625e-8;
+
 // Half the distance from 1 to the next number, and what splits a number into halves of its bits (Dekker): of the float
 // arithmetic at hand.
 #ifdef HAS_DOUBLE
@@ -17,6 +20,11 @@ const float SPLITTER = 134217729.0;
 const float UNIT_ROUNDOFF = 5.9604644775390625e-8;
 const float SPLITTER = 4097.0;
 #endif
+
+// A place that is uncertain by more than this share of the smallest thing that there is to see of its surface means nothing;
+// and the least weight of a path that is asked for it.
+const float TRUSTED_SHARE = 0.1;
+const float TRUSTED_WEIGHT = 0.0625;
 
 // Shape kinds.
 const int KIND_SPHERE = 0;
@@ -32,6 +40,7 @@ const int KIND_COUNT = 7;
 const int MODEL_LAMBERT = 0;
 const int MODEL_PHONG = 1;
 const int MODEL_BLINN = 2;
+const int MODEL_MICROFACET = 3;
 
 // What a material does to light on its way to a surface behind it.
 const int SHADOW_OPAQUE = 0;

@@ -41,6 +41,7 @@ struct Material {
     vec4 absorption; // rgb: per metre, inside; w: index of the medium outside, -1 for air
     vec4 shadow_tint;       // rgb: what a chord lets through besides absorption; w: shadow kind
     vec4 shadow_absorption; // rgb: per metre, less that of the medium outside; w: transmit
+    vec4 microfacet;        // alpha, metalness
 };
 
 // By kind: directional lights, points, spots, glowing spheres. Ambient and directional ambient light is summed by the host

@@ -10,7 +10,7 @@ vec4 traceBreadthFirst(Path eye)
     vec4 sum = vec4(0.0);
     for (int traced = 0; traced < waiting && traced < u_budget; ++traced) {
         Scatter found = scatter(queue[traced]);
-        sum += vec4(found.radiance, 1.0);
+        sum = gathered(sum, found);
         if (waiting < u_budget && worthTracing(found.reflected)) {
             queue[waiting] = found.reflected;
             waiting += 1;

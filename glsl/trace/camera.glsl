@@ -26,6 +26,9 @@ Path eyePath(vec2 point_px)
 #ifdef HAS_ABSORPTION
     path.medium = int(u_camera.eye.w);
 #endif
+#ifdef HAS_TRUST
+    path.blur = blurOf(0.0, SINGLE_ROUNDOFF);
+#endif
 #ifdef HAS_DEPTH_LIMIT
     path.bounces = 0;
 #endif

@@ -7,7 +7,7 @@ vec4 traceChain(Path eye)
     Path current = eye;
     for (int traced = 0; traced < u_budget; ++traced) {
         Scatter found = scatter(current);
-        sum += vec4(found.radiance, 1.0);
+        sum = gathered(sum, found);
         current = found.reflected;
         if (!worthTracing(current))
             break;

@@ -12,7 +12,7 @@ vec4 traceDepthFirst(Path eye)
     for (int traced = 0; traced < u_budget && waiting > 0; ++traced) {
         waiting -= 1;
         Scatter found = scatter(stack[waiting]);
-        sum += vec4(found.radiance, 1.0);
+        sum = gathered(sum, found);
         Path next = found.reflected;
 #ifdef HAS_REFRACTION
         // Of a surface's two rays the heavier goes on, the reflected one where they weigh the same; the other waits below.

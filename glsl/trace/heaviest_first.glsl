@@ -20,7 +20,7 @@ vec4 traceHeaviestFirst(Path eye)
     Path current = eye;
     for (int traced = 0; traced < u_budget; ++traced) {
         Scatter found = scatter(current);
-        sum += vec4(found.radiance, 1.0);
+        sum = gathered(sum, found);
         bool through = heavier(found.refracted, found.reflected);
         current = chosen(through, found.refracted, found.reflected);
         Path waiting = chosen(through, found.reflected, found.refracted);

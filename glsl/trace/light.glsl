@@ -82,7 +82,13 @@ vec3 highlight(Surface surface, Material material, vec3 toLight, vec3 toViewer)
     float blinn = blinnLobe(surface.normal, toLight, toViewer, material.specular.w);
     lobe = model == MODEL_BLINN ? blinn : lobe;
 #endif
-    return lobe * material.specular.xyz;
+    vec3 reflected = lobe * material.specular.xyz;
+#ifdef HAS_MICROFACET
+    vec3 head_on = mix(material.specular.xyz, surface.colour, material.microfacet.y);
+    vec3 facets = microfacetLobe(surface.normal, toLight, toViewer, material.microfacet.x, head_on);
+    reflected = model == MODEL_MICROFACET ? facets : reflected;
+#endif
+    return reflected;
 }
 #endif
 
@@ -94,6 +100,10 @@ vec3 lightReflected(Light light, Incidence incidence, int glowing, Surface surfa
 {
     float cosine = dot(surface.normal, incidence.towards);
     vec3 reflected = light.diffuse.xyz * surface.colour * max(cosine, 0.0);
+#ifdef HAS_MICROFACET
+    // Metals have no matt part.
+    reflected *= int(material.emission.w) == MODEL_MICROFACET ? 1.0 - material.microfacet.y : 1.0;
+#endif
 #ifdef HAS_HIGHLIGHT
     reflected += light.specular.xyz * highlight(surface, material, incidence.towards, -ray.direction);
 #endif

@@ -9,6 +9,9 @@ struct Path {
 #ifdef HAS_ABSORPTION
     int medium; // index of the material that it runs through, -1 for air
 #endif
+#ifdef HAS_TRUST
+    Blur blur; // what its origin and direction may be off by
+#endif
 #ifdef HAS_DEPTH_LIMIT
     int bounces;
 #ifdef HAS_LOST_WEIGHT
@@ -44,6 +47,10 @@ Path chosen(bool first, Path a, Path b)
 #endif
 #ifdef HAS_ABSORPTION
     result.medium = first ? a.medium : b.medium;
+#endif
+#ifdef HAS_TRUST
+    result.blur.offset = first ? a.blur.offset : b.blur.offset;
+    result.blur.angle = first ? a.blur.angle : b.blur.angle;
 #endif
 #ifdef HAS_DEPTH_LIMIT
     result.bounces = first ? a.bounces : b.bounces;

@@ -61,6 +61,16 @@ vec3 localRadiance(Surface surface, Material material, Ray ray, int object, bool
 }
 #endif
 
+// A sample's sum with what one more ray found: radiance (rgb), and one ray (a). Of trust the worst counts.
+vec4 gathered(vec4 sum, Scatter found)
+{
+#ifdef HAS_TRUST
+    return vec4(max(sum.x, found.radiance.x), max(sum.y, found.radiance.y), 0.0, sum.w + 1.0);
+#else
+    return sum + vec4(found.radiance, 1.0);
+#endif
+}
+
 // Whatever a ray does not meet is computed all the same and not taken: see chosen().
 Scatter scatter(Path path)
 {
@@ -91,6 +101,14 @@ Scatter scatter(Path path)
     local = local + material.emission.xyz;
 #endif
     result.radiance = weight * (missed ? sky : local);
+#ifdef HAS_TRUST
+    int kind = kindOf(hit.object);
+    Shape shape = shapeOf(hit.object);
+    float cosine = clamp(-dot(path.ray.direction, surface.normal), 0.0, 1.0);
+    float curvature = hit.inside ? -curvatureOf(kind, shape, hit.cap) : curvatureOf(kind, shape, hit.cap);
+    float across = blurAcross(path.blur, hit.t, crossingRounding(path.ray, hit, kind, shape));
+    result.radiance = missed ? vec3(0.0) : trustAt(path, across, cosine, detailOf(kind, shape, material));
+#endif
 #ifdef HAS_MIRROR_RAY
     float c = clamp(-dot(path.ray.direction, surface.normal), 0.0, 1.0);
     vec3 reflection = material.mirror.xyz;
@@ -106,9 +124,16 @@ Scatter scatter(Path path)
 #ifdef HAS_ABSORPTION
     result.refracted.medium = hit.inside ? int(material.absorption.w) : mediumOf(hit.object);
 #endif
+#ifdef HAS_TRUST
+    result.refracted.blur =
+        blurRefracted(path.blur, across, cosine, abs(dot(through, surface.normal)), eta, curvature);
+#endif
 #endif
     vec3 mirrored = normalize(path.ray.direction + 2.0 * c * surface.normal);
     result.reflected = continued(path, hit, surface.position, mirrored, missed ? vec3(0.0) : weight * reflection, hit.inside);
+#ifdef HAS_TRUST
+    result.reflected.blur = blurMirrored(path.blur, across, cosine, curvature);
+#endif
 #endif
 #endif
 #ifdef HAS_LOST_WEIGHT

@@ -10,6 +10,7 @@
 #include "command/render_steps.h"
 #include "command/report.h"
 #include "command/settings_hash.h"
+#include "kernel/trust.h"
 
 #include <fmt/format.h>
 
@@ -88,6 +89,35 @@ std::string defaultOutput(const RenderOptions& options, const Input& input)
     return input.name + (tile.empty() ? "" : "-" + tile) + ".png";
 }
 
+constexpr double mostBeyondTrust = 0.01; // of the picture, before it is told
+
+// Of a scene's picture that a device drew; none of a view and of a plain shader.
+std::optional<double> beyondTrust(const RenderOptions& options, const PictureDrawer& drawer)
+{
+    const PreparedScene* prepared = drawer.prepared();
+    if (prepared == nullptr || prepared->plan.view != DataView::none || options.reference)
+        return std::nullopt;
+    return shareBeyondTrust(prepared->packed, options.width, options.height);
+}
+
+// What a picture that is there may not be.
+void warn(const Plan* plan, const StillReport& still)
+{
+    if (still.figures.counts.nonfinite > 0)
+        fmt::print(stderr, "dioptre: {} pixels are not finite\n", still.figures.counts.nonfinite);
+    if (plan != nullptr && plan->has("compensated kernels") && plan->guard == Guard::none)
+        fmt::print(
+            stderr,
+            "dioptre: this driver's sums are not exact, so that plain kernels stand in for compensated ones: "
+            "--why names the objects, --reference draws in double precision\n");
+    if (still.beyondTrust.value_or(0.0) > mostBeyondTrust)
+        fmt::print(
+            stderr,
+            "dioptre: {:.1f} % of the picture is beyond what single precision can tell: --view trust shows "
+            "where, --reference draws in double precision\n",
+            100.0 * *still.beyondTrust);
+}
+
 // What is said of a picture that is there.
 void report(const RenderOptions& options, const PictureDrawer& drawer, const StillReport& still)
 {
@@ -99,8 +129,7 @@ void report(const RenderOptions& options, const PictureDrawer& drawer, const Sti
         fmt::print("{}", jsonText(options, still, drawer.context(), plan));
     else if (legend != nullptr)
         fmt::print("{}\n", join(legend->lines, "\n"));
-    if (still.figures.counts.nonfinite > 0)
-        fmt::print(stderr, "dioptre: {} pixels are not finite\n", still.figures.counts.nonfinite);
+    warn(plan, still);
     fmt::print(stderr, "{}: {}{}x{}, {} spp, {} ({})\n", options.output,
                options.tile.empty() ? "" : "tile " + options.tile + " of ", options.width, options.height,
                options.samples, drawer.context().backend, drawer.context().renderer);
@@ -123,6 +152,7 @@ void renderStill(RenderOptions options, const Input& input)
     still.phases = together(drawer.made(), still.figures.phases);
     if (!options.shader.empty())
         writeShaders(options.shader, still.facts);
+    still.beyondTrust = beyondTrust(options, drawer);
     still.phases.total = whole.lap_ms();
     report(options, drawer, still);
 }

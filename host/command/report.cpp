@@ -115,6 +115,9 @@ std::string whyText(const Plan* plan, const StillReport& still)
                         static_cast<double>(still.facts.textureBytes) / (1024.0 * 1024.0));
     text += fmt::format("uniforms  {}\n", orNone(still.facts.uniforms));
     text += fmt::format("blocks    {}\n", orNone(still.facts.blocks));
+    if (still.beyondTrust)
+        text += fmt::format("trust     {:.2g} % of the picture is beyond what single precision can tell\n",
+                            100.0 * *still.beyondTrust);
     text += fmt::format("compile   {:.1f} ms, first draw {:.1f} ms\n", still.phases.compile,
                         still.phases.firstDraw);
     return text;
@@ -147,6 +150,8 @@ std::string jsonText(const RenderOptions& options, const StillReport& still, con
         {"blocks", still.facts.blocks},
         {"textures", still.facts.textures},
     };
+    if (still.beyondTrust)
+        json["beyond_trust"] = *still.beyondTrust;
     if (!options.tile.empty())
         json["tile"] = options.tile;
     if (still.figures.legend)

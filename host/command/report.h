@@ -12,7 +12,8 @@ namespace dioptre
 struct StillReport {
     PictureFigures figures;
     DrawingFacts facts;
-    Phases phases; // of making and drawing
+    Phases phases;                     // of making and drawing
+    std::optional<double> beyondTrust; // share of a scene's picture, as shareBeyondTrust()
 };
 
 // The sums of two, but for the total.

@@ -27,7 +27,7 @@ using vec4 = glm::dvec4;
 #undef float
 
 static_assert(sizeof(Shape) == 4 * sizeof(vec4) && sizeof(Light) == 6 * sizeof(vec4));
-static_assert(sizeof(Material) == 11 * sizeof(vec4) &&
+static_assert(sizeof(Material) == 12 * sizeof(vec4) &&
               offsetof(Material, shadow_absorption) == 10 * sizeof(vec4));
 static_assert(sizeof(Camera) == 4 * sizeof(vec4) && sizeof(Sky) == 4 * sizeof(vec4));
 } // namespace packed
@@ -71,7 +71,7 @@ struct ShapeTable {
 };
 ShapeTable shapeTable(const PackedScene& scene);
 
-// The same with every object among its kind.
+// The same with every object among its kind; where there is none, with one that nothing meets.
 ShapeTable plainShapeTable(const PackedScene& scene);
 
 } // namespace dioptre

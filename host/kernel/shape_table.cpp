@@ -47,7 +47,12 @@ ShapeTable shapeTable(const PackedScene& scene)
 
 ShapeTable plainShapeTable(const PackedScene& scene)
 {
-    return tableOf(scene, [](const PackedObject&) { return true; });
+    ShapeTable table = tableOf(scene, [](const PackedObject&) { return true; });
+    if (scene.objects.empty()) {
+        table.shapes.emplace_back();
+        table.index.emplace_back(0.0);
+    }
+    return table;
 }
 
 } // namespace dioptre

@@ -67,13 +67,17 @@ void addColours(std::vector<PanelRow>& rows, const Material& m)
 void addShading(std::vector<PanelRow>& rows, const Material& m)
 {
     const bool shines = m.model != ReflectanceModel::lambert;
-    const bool hasSpecular = shines && m.specular != glm::dvec3(0.0);
+    const bool facets = m.model == ReflectanceModel::microfacet;
+    const bool hasLobe = shines && !facets && m.specular != glm::dvec3(0.0);
     rows.push_back({.path = "model",
                     .label = "model",
                     .kind = RowKind::choice,
                     .numbers = {static_cast<double>(m.model)},
-                    .high = 2.0,
-                    .words = {{"\"lambert\"", "lambert"}, {"\"phong\"", "phong"}, {"\"blinn\"", "blinn"}}});
+                    .high = 3.0,
+                    .words = {{"\"lambert\"", "lambert"},
+                              {"\"phong\"", "phong"},
+                              {"\"blinn\"", "blinn"},
+                              {"\"microfacet\"", "microfacet"}}});
     rows.push_back({.path = "specular",
                     .label = "specular",
                     .kind = RowKind::colour,
@@ -84,7 +88,16 @@ void addShading(std::vector<PanelRow>& rows, const Material& m)
                     .numbers = {m.shininess},
                     .high = 1000.0,
                     .logarithmic = true,
-                    .hasEffect = hasSpecular});
+                    .hasEffect = hasLobe});
+    if (facets) {
+        rows.push_back({.path = "roughness",
+                        .label = "roughness",
+                        .numbers = {m.roughness},
+                        .low = 0.0001,
+                        .logarithmic = true,
+                        .meaning = "its square is alpha, about the slope of the facets"});
+        rows.push_back({.path = "metalness", .label = "metalness", .numbers = {m.metalness}});
+    }
     rows.push_back({.path = "mirror", .label = "mirror", .numbers = {m.mirror}});
     rows.push_back({.path = "mirror_colour",
                     .label = "mirror colour",

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "gl/program.h"
 #include "render/literal.h"
+#include "render/literal_kernels.h"
 #include "render/lookup.h"
 #include "render/preprocess.h"
 #include "render/prune.h"
@@ -144,6 +145,8 @@ std::string sceneText(const Scene& scene, const Plan& plan, const PackedScene& p
         text += picturesText(plan, packed);
     text +=
         plan.has("geometry table") ? includeText(sceneTableFile) : lookupText(typicalOf(scene), packed, plan);
+    if (plan.view == DataView::trust)
+        text += ownKernelText(packed, plan);
     if (plan.form == SceneForm::loop && plan.has("objects"))
         return text + (plan.choosesKernels() ? literalApart(scene, packed, plan) : "") +
                includeText(sceneLoopFile);

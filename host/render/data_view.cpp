@@ -16,7 +16,8 @@ const std::vector<DataViewRow>& dataViews()
         {DataView::object, "object", "a colour for each object"},
         {DataView::normal, "normal", "the first surface's normal n as n/2 + 1/2"},
         {DataView::depth, "depth", "metres to the first surface"},
-        {DataView::uv, "uv", "the first surface's picture coordinates"}};
+        {DataView::uv, "uv", "the first surface's picture coordinates"},
+        {DataView::trust, "trust", "where single precision stops meaning anything"}};
     return rows;
 }
 
@@ -55,7 +56,7 @@ bool showsFirstHit(DataView view)
 
 bool showsRayTree(DataView view)
 {
-    return view == DataView::rays || view == DataView::lost;
+    return view == DataView::rays || view == DataView::lost || view == DataView::trust;
 }
 
 Scene underView(Scene scene, DataView view)
@@ -68,7 +69,8 @@ Scene underView(Scene scene, DataView view)
         material.emission = glm::dvec3(0.0);
         material.light = false;
         material.image.clear();
-        material.checker.reset();
+        if (view != DataView::trust) // a pattern is what a place must be known for
+            material.checker.reset();
         if (!showsFirstHit(view))
             continue;
         material.mirror = 0.0;

@@ -19,6 +19,7 @@ enum class DataView {
     normal,
     depth,
     uv,
+    trust,
     number // an object's number plus 1, 0 where nothing is met: for layers alone, --view does not know it
 };
 
@@ -40,7 +41,7 @@ const DataViewRow& rowOf(DataView view); // not none
 // Whether only what a pixel's ray meets first is asked for.
 bool showsFirstHit(DataView view);
 
-// Whether the ray tree is followed for its weights, and not for light.
+// Whether the ray tree is followed for its weights or its certainty, and not for light.
 bool showsRayTree(DataView view);
 
 // The scene less what the view does not ask for: no light, sky, emission or picture; for views of the first

@@ -1,6 +1,7 @@
 #include "render/literal_kernels.h"
 
 #include "render/literal.h"
+#include "render/lookup.h"
 
 #include <fmt/format.h>
 
@@ -180,6 +181,16 @@ std::string spanCall(const PackedObject& object, const Plan& plan, std::size_t i
 {
     return fmt::format("{}Span(ray, {})", kernelOf(object.kind, plan.kernels[id]),
                        argumentsOf(object, plan.kernels[id]));
+}
+
+std::string ownKernelText(const PackedScene& packed, const Plan& plan)
+{
+    const auto own = [&](std::size_t id) -> std::optional<std::string> {
+        return plan.kernels[id] == KernelForm::plain ? "false" : "true";
+    };
+    return fmt::format("// Whether an object's kernel was chosen for precision.\n"
+                       "bool hasOwnKernel(int object)\n{{\n    return {};\n}}\n\n",
+                       selectText("object", packed.objects.size(), own, "false"));
 }
 
 std::string chosenSurfaces(const PackedScene& packed, const Plan& plan)

@@ -18,6 +18,9 @@ std::string spanCall(const PackedObject& object, const Plan& plan, std::size_t i
 // Arguments of a plain kernel, after the ray and the object.
 std::string plainArguments(const PackedObject& object);
 
+// hasOwnKernel(): which objects those are.
+std::string ownKernelText(const PackedScene& packed, const Plan& plan);
+
 // chosenNormal() and chosenPosition(), of glsl/trace/normal.glsl.
 std::string chosenSurfaces(const PackedScene& packed, const Plan& plan);
 

@@ -27,6 +27,8 @@ const std::vector<Value>& valuesRead()
          "vec4(0.0, 0.0, 0.0, 1.0)"},
         {"specular", "HAS_HIGHLIGHT", [](const Material& m) { return m.specular != glm::dvec3(0.0); },
          "vec4(0.0)"},
+        {"microfacet.xy", "HAS_MICROFACET",
+         [](const Material& m) { return m.model == ReflectanceModel::microfacet; }, "vec2(1.0, 0.0)"},
         {"emission.xyz", "HAS_EMISSION", [](const Material& m) { return m.emission != glm::dvec3(0.0); },
          "vec3(0.0)"},
         {"mirror", "HAS_MIRROR_RAY", [](const Material& m) { return m.mirror > 0.0; }, "vec4(0.0)"},
@@ -73,7 +75,7 @@ std::string modelText(const Scene& scene, const Plan& plan)
         "medium", plan.materials.size(),
         [&](std::size_t i) -> std::optional<std::string> {
             const auto& material = scene.materials[plan.materials[i]];
-            if (!plan.seenMaterials[i] || material.specular == glm::dvec3(0.0))
+            if (!plan.seenMaterials[i] || !canShine(material))
                 return std::nullopt;
             return literal(static_cast<double>(modelOf(material.model)));
         },

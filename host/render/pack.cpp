@@ -113,6 +113,7 @@ packed::Material packMaterial(const Scene& scene, const Plan& plan, std::size_t 
     result.ambient = vec4(material.ambient.value_or(material.colour), hasAmbient ? 0.0 : 1.0);
     result.specular = vec4(material.specular, material.shininess);
     result.emission = vec4(material.emission, modelOf(material.model));
+    result.microfacet = vec4(material.roughness * material.roughness, material.metalness, 0.0, 0.0);
     result.mirror = vec4(material.mirror * material.mirrorColour, material.mirror);
     result.checker = vec4(checker.colours[1], checker.size);
     result.checker_first = vec4(checker.colours[0], material.size);
@@ -180,9 +181,10 @@ void refuseBeyondFloat(const Object& object, const PackedObject& packedObject)
 
 int modelOf(ReflectanceModel model)
 {
-    return model == ReflectanceModel::phong   ? packed::MODEL_PHONG
-           : model == ReflectanceModel::blinn ? packed::MODEL_BLINN
-                                              : packed::MODEL_LAMBERT;
+    return model == ReflectanceModel::phong        ? packed::MODEL_PHONG
+           : model == ReflectanceModel::blinn      ? packed::MODEL_BLINN
+           : model == ReflectanceModel::microfacet ? packed::MODEL_MICROFACET
+                                                   : packed::MODEL_LAMBERT;
 }
 
 glm::dvec3 sceneOrigin(const Scene& scene)

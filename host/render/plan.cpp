@@ -68,8 +68,10 @@ void Planner::view()
         defines = {"HAS_SURFACE_VIEW", "HAS_NORMAL_VIEW"};
     if (view == DataView::uv)
         defines = {"HAS_SURFACE_VIEW", "HAS_UV_VIEW", "HAS_COORDINATES"};
-    if (showsRayTree(view))
+    if (view == DataView::rays || view == DataView::lost)
         defines = {"HAS_LOST_WEIGHT"};
+    if (view == DataView::trust)
+        defines = {"HAS_TRUST"};
     const bool in = view != DataView::none;
     add("view", in, in ? std::string(rowOf(view).name) + ": " + rowOf(view).shows : "", "light is shown",
         std::move(defines));
@@ -195,7 +197,7 @@ void Planner::shapes()
 
 bool seesDirections(const Plan& plan)
 {
-    if (showsRayTree(plan.view))
+    if (plan.view == DataView::rays || plan.view == DataView::lost)
         return plan.tree != RayTree::single;
     return plan.has("objects") || plan.has("sky gradient") || plan.has("sky picture");
 }

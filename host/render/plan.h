@@ -88,6 +88,10 @@ bool seesDirections(const Plan& plan);
 // Whether an object of this material shows a picture or a pattern, and so needs coordinates.
 bool wears(const Material& material);
 
+// Whether a material has a highlight, as far as its model shows one: microfacets mirror whatever their colour
+// is.
+bool canShine(const Material& material);
+
 // The scene as its light type shows it: unlit colours are one ambient light of 1 on the surface's own colour;
 // lights alone mean no ambient light and a black sky.
 Scene underLightType(Scene scene);

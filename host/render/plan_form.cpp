@@ -27,6 +27,7 @@ void Planner::form()
     const auto choices =
         std::max(std::ranges::count(plan_.seen, true), std::ranges::count(plan_.seenMaterials, true));
     plan_.lookup = !literal                                       ? Lookup::table
+                   : plan_.view == DataView::trust                ? Lookup::table // asks for all of a shape
                    : scene_.plan.lookup != Lookup::automatic      ? scene_.plan.lookup
                    : scene_.plan.force == PlanChoices::Force::all ? Lookup::table
                    : choices <= mostSelects                       ? Lookup::selects

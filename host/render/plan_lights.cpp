@@ -67,7 +67,7 @@ void Planner::highlights(bool anyLight)
 {
     const auto with = [this](ReflectanceModel model) {
         return [this, model](const Material& m) {
-            return isSeen(m) && hasLocal(m) && m.model == model && m.specular != glm::dvec3(0.0);
+            return isSeen(m) && hasLocal(m) && m.model == model && canShine(m);
         };
     };
     const auto addModel = [&](const std::string& name, ReflectanceModel model, const std::string& define) {
@@ -78,6 +78,7 @@ void Planner::highlights(bool anyLight)
     };
     addModel("Phong highlight", ReflectanceModel::phong, "HAS_PHONG");
     addModel("Blinn highlight", ReflectanceModel::blinn, "HAS_BLINN");
+    addModel("microfacets", ReflectanceModel::microfacet, "HAS_MICROFACET");
 }
 
 void Planner::shadows(bool anyLight)

@@ -44,6 +44,11 @@ bool wears(const Material& material)
     return !material.image.empty() || material.checker.has_value();
 }
 
+bool canShine(const Material& material)
+{
+    return material.specular != glm::dvec3(0.0) || material.model == ReflectanceModel::microfacet;
+}
+
 bool Planner::onObject(const Material& material) const
 {
     return onObject_[static_cast<std::size_t>(&material - scene_.materials.data())];

@@ -30,6 +30,10 @@ void setCutOff(PreparedScene& prepared, const Scene& scene, const ViewSettings& 
 {
     if (!showsRayTree(view.view))
         return setCutOff(prepared.scene, prepared.plan, prepared.packed);
+    if (view.view == DataView::trust && scene.trace.cutOff <= packed::TRUSTED_WEIGHT) {
+        prepared.packed.cutOff = packed::TRUSTED_WEIGHT; // lighter paths do not count
+        return;
+    }
     const Scene lit = underLightType(scene);
     const Plan plan = makePlan(lit);
     PackedScene packed = pack(lit, plan, View{view.height, view.samples});

@@ -57,18 +57,28 @@ Range rangeOf(const Picture& picture, std::size_t channel)
 }
 
 // Each further colour stands for the same factor: a budget of 16 has 1, 2, 4, 8, 16.
+// The scale's colour at 0..1 along it.
+std::array<double, 3> scaleAt(double along)
+{
+    constexpr double last = scale.size() - 1;
+    const double place = std::clamp(along, 0.0, 1.0) * last;
+    const auto low = static_cast<std::size_t>(std::min(std::floor(place), last - 1.0));
+    const double share = place - static_cast<double>(low);
+    std::array<double, 3> colour{};
+    for (std::size_t c = 0; c < 3; ++c)
+        colour[c] = (scale[low][c] * (1.0 - share) + scale[low + 1][c] * share) / 255.0;
+    return colour;
+}
+
 void showRays(ShownView& shown, int budget)
 {
     const Range rays = rangeOf(shown.picture, 0);
     constexpr double last = scale.size() - 1;
-    const double stops = budget > 1 ? last / std::log(budget) : 0.0;
+    const double whole = budget > 1 ? std::log(budget) : 1.0;
     eachPixel(shown.picture, [&](float* rgb) {
-        const double place =
-            std::clamp(std::log(std::max(static_cast<double>(rgb[0]), 1.0)) * stops, 0.0, last);
-        const auto low = static_cast<std::size_t>(std::min(std::floor(place), last - 1.0));
-        const double share = place - static_cast<double>(low);
+        const auto colour = scaleAt(std::log(std::max(static_cast<double>(rgb[0]), 1.0)) / whole);
         for (std::size_t c = 0; c < 3; ++c)
-            rgb[c] = static_cast<float>((scale[low][c] * (1.0 - share) + scale[low + 1][c] * share) / 255.0);
+            rgb[c] = static_cast<float>(colour[c]);
     });
     auto& legend = shown.legend;
     legend.figures = {{"mean", rays.mean}, {"max", rays.high}, {"budget", budget}};
@@ -111,6 +121,33 @@ void showLost(ShownView& shown)
     legend.lines.insert(legend.lines.end(), lines.begin(), lines.end());
     legend.lines.emplace_back(
         "brightness: 100 % full, 10 % 4/5, 1 % 3/5, 0.1 % 2/5, 0.01 % 1/5, 0.001 % black");
+}
+
+// Samples beyond trust in a colour that the scale does not have.
+void showTrust(ShownView& shown)
+{
+    constexpr Colour beyond = {0x00, 0xd0, 0xff};
+    constexpr double most_bits = 24.0;
+    const Range share = rangeOf(shown.picture, 0);
+    const Range bits = rangeOf(shown.picture, 1);
+    eachPixel(shown.picture, [&](float* rgb) {
+        const auto outside = static_cast<double>(rgb[0]);
+        const auto colour = scaleAt(static_cast<double>(rgb[1]) / most_bits);
+        for (std::size_t c = 0; c < 3; ++c)
+            rgb[c] = static_cast<float>(outside * beyond[c] / 255.0 + (1.0 - outside) * colour[c]);
+    });
+    auto& legend = shown.legend;
+    legend.figures = {
+        {"beyond_percent", 100.0 * share.mean}, {"bits_lost_mean", bits.mean}, {"bits_lost_most", bits.high}};
+    legend.lines.push_back(
+        fmt::format("beyond what single precision can tell: {:.3g} % of the picture; bits lost of 24: mean "
+                    "{:.1f}, most {:.1f} in a pixel",
+                    100.0 * share.mean, bits.mean, bits.high));
+    legend.lines.push_back(hex(beyond) +
+                           "  beyond: the place is uncertain by a tenth of what there is to see, or more");
+    for (std::size_t i = 0; i < scale.size(); ++i)
+        legend.lines.push_back(fmt::format("{}  {:.0f} bits", hex(scale[i]),
+                                           most_bits * static_cast<double>(i) / (scale.size() - 1)));
 }
 
 // By the inverse of the distance, so that an endless floor leaves the near things apart: near is light, and
@@ -180,6 +217,9 @@ ShownView shownView(const Picture& data, const PreparedScene& prepared)
         break;
     case DataView::lost:
         showLost(shown);
+        break;
+    case DataView::trust:
+        showTrust(shown);
         break;
     case DataView::object:
         showObjects(shown, prepared.scene);

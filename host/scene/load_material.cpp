@@ -13,9 +13,9 @@ namespace
 {
 
 const std::vector<std::string> materialKeys{
-    "colour",  "image",      "encoding",  "pattern", "colours",       "size",     "model",
-    "ambient", "specular",   "shininess", "mirror",  "mirror_colour", "transmit", "ior",
-    "outside", "absorption", "emission",  "light",   "shadow"};
+    "colour",   "image",    "encoding",  "pattern",    "colours",   "size",   "model",
+    "ambient",  "specular", "shininess", "roughness",  "metalness", "mirror", "mirror_colour",
+    "transmit", "ior",      "outside",   "absorption", "emission",  "light",  "shadow"};
 
 void readSurface(const TableReader& reader, Material& material, const Search& pictures)
 {
@@ -46,10 +46,15 @@ void readShading(const TableReader& reader, Material& material)
     reader.choice<ReflectanceModel>("model", material.model,
                                     {{"lambert", ReflectanceModel::lambert},
                                      {"phong", ReflectanceModel::phong},
-                                     {"blinn", ReflectanceModel::blinn}});
+                                     {"blinn", ReflectanceModel::blinn},
+                                     {"microfacet", ReflectanceModel::microfacet}});
+    if (material.model == ReflectanceModel::microfacet)
+        material.specular = glm::dvec3(0.04); // head-on, of most plastics and glass
     reader.colour("ambient", material.ambient);
     reader.colour("specular", material.specular);
     reader.number("shininess", material.shininess, zeroOrMore);
+    reader.number("roughness", material.roughness, roughness);
+    reader.number("metalness", material.metalness, zeroToOne);
     reader.number("mirror", material.mirror, zeroToOne);
     reader.colour("mirror_colour", material.mirrorColour);
 }

@@ -76,7 +76,7 @@ struct PlanChoices {
     bool operator==(const PlanChoices&) const = default;
 };
 
-enum class ReflectanceModel { lambert, phong, blinn };
+enum class ReflectanceModel { lambert, phong, blinn, microfacet };
 enum class ShadowKind { opaque, tinted, none };
 
 struct Checker {
@@ -97,7 +97,9 @@ struct Material {
     std::optional<glm::dvec3> ambient; // reflectance for ambient light; the surface's colour where unset
     glm::dvec3 specular{0.0};
     double shininess = 32.0; // Phong (V.R)^s, Blinn (N.H)^4s
-    double mirror = 0.0;     // 0..1
+    double roughness = 0.5;  // of microfacets, whose alpha is its square
+    double metalness = 0.0; // 0..1: the share that the colour has in the mirror's, and lacks in the matt part
+    double mirror = 0.0;    // 0..1
     glm::dvec3 mirrorColour{1.0};
     double transmit = 0.0; // 0..1
     double ior = 1.0;

@@ -27,6 +27,7 @@ inline constexpr Range anyNumber{-unbounded, unbounded, false, "a finite number"
 inline constexpr Range aboveZero{0.0, unbounded, true, "a number above 0"};
 inline constexpr Range zeroOrMore{0.0, unbounded, false, "a number of at least 0"};
 inline constexpr Range zeroToOne{0.0, 1.0, false, "a number from 0 to 1"};
+inline constexpr Range roughness{1e-4, 1.0, false, "a number from 0.0001 to 1"};
 
 // Throws badInput "NAME is VALUE: give WANTED".
 [[noreturn]] void refuse(const Value& value, std::string_view name, std::string_view wanted);

@@ -92,6 +92,28 @@ TEST(StabilityCommand, UsersRays_AreAnsweredLineByLine)
     expectHas(outcome.error, "3 rays, 2 hits");
 }
 
+// A planet of 1e7 m under an eye 2.3 m above it: a product with the centre's square loses the height.
+TEST(StabilityCommand, Variant_OfUsersRays_IsTheOneAskedFor)
+{
+    const auto answer = [](const std::string& variant) {
+        return inAFolder("printf '" + csvNames +
+                         "\\np,1,0,0,-1e7,0,1e7,0,0,0,0,0,0.5,2.3,0,0.6,-0.8,0,0,0\\n' >rays.csv && "
+                         "dioptre stability --input rays.csv --variant " +
+                         variant);
+    };
+    const auto timeIn = [](const Outcome& outcome) { // p,1,hit,t,...
+        const auto row = outcome.out.find("\np,1,1,");
+        return row == std::string::npos ? 0.0 : std::stod(outcome.out.substr(row + 7));
+    };
+    // 2.3 / 0.8, and what the planet's curve adds: (0.5 + 1.725)^2 / 2e7 / 0.8.
+    for (const char* variant : {"auto", "compensated", "curvature"})
+        EXPECT_NEAR(timeIn(answer(variant)), 2.875 + 3.1e-7, 1e-6) << variant;
+    EXPECT_GT(std::abs(timeIn(answer("textbook")) - 2.875), 0.1);
+    const Outcome refused = answer("sturdy");
+    EXPECT_EQ(refused.code, 2);
+    expectHas(refused.error, "curvature");
+}
+
 TEST(StabilityCommand, BadRays_LeaveNoOutput)
 {
     const Outcome outcome = inAFolder("printf '" + csvNames +

@@ -2,6 +2,7 @@
 #include "support/in_a_folder.h"
 
 #include "base/picture.h"
+#include "base/write_file.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -43,7 +44,7 @@ TEST_F(ViewCommand, Objects_HaveTheColoursThatTheLegendPrints)
 
 TEST_F(ViewCommand, EveryView_PrintsALegend_AndPutsItIntoThePng)
 {
-    for (const char* view : {"rays", "lost", "object", "normal", "depth", "uv"}) {
+    for (const char* view : {"rays", "lost", "object", "normal", "depth", "uv", "trust"}) {
         const auto outcome =
             here(std::string("dioptre render cylinders --size 32x18 --spp 1 -o a.png --view ") + view);
         ASSERT_EQ(outcome.code, 0) << outcome.error;
@@ -71,6 +72,32 @@ TEST_F(ViewCommand, Json_HoldsTheFiguresInPlaceOfTheLegend)
     EXPECT_EQ(figures("object")["objects"][3]["name"], "glass ball");
     EXPECT_FALSE(nlohmann::json::parse(here("dioptre render glass --size 16x9 --spp 1 --json -o a.png").out)
                      .contains("view"));
+}
+
+// A mirror ball within a mirror, off its middle: rays go astray for ever.
+TEST_F(ViewCommand, PicturesBeyondTrust_AreWarnedOf_WithTheShareThatTheViewShows)
+{
+    const std::string mirrors =
+        "[camera]\neye = [0, 0, 5]\n[trace]\nbudget = 40\n[sky]\ncolour = [1, 1, 1]\n"
+        "[material.m]\nmirror = 1.0\n[[sphere]]\ncentre = [3, 1, 0]\nradius = 2\n"
+        "material = \"m\"\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 9\nmaterial = \"m\"\n";
+    writeFile(folder / "mirrors.toml", mirrors);
+    const auto chaos = here("dioptre render mirrors.toml --size 64x36 --spp 1 --json -o a.png");
+    EXPECT_EQ(chaos.code, 0);
+    EXPECT_NE(chaos.error.find("% of the picture is beyond what single precision can tell: --view trust"),
+              std::string::npos)
+        << chaos.error;
+    const double share = nlohmann::json::parse(chaos.out)["beyond_trust"];
+    EXPECT_GT(share, 0.1);
+    const auto view = nlohmann::json::parse(
+        here("dioptre render mirrors.toml --size 64x36 --spp 1 --json -o b.png --view trust").out)["view"];
+    EXPECT_NEAR(view["beyond_percent"].get<double>(), 100.0 * share, 5.0);
+    const auto calm = here("dioptre render still_life --size 64x36 --spp 1 --json -o a.png");
+    EXPECT_EQ(calm.error.find("beyond"), std::string::npos) << calm.error;
+    EXPECT_LT(nlohmann::json::parse(calm.out)["beyond_trust"].get<double>(), 0.01);
+    EXPECT_FALSE(nlohmann::json::parse(
+                     here("dioptre render still_life --size 16x9 --spp 1 --json --reference -o a.png").out)
+                     .contains("beyond_trust"));
 }
 
 TEST_F(ViewCommand, Exr_HoldsTheNumbersThemselves)
@@ -107,6 +134,6 @@ TEST_F(ViewCommand, WhereItMakesNoSense_IsRefused)
 TEST_F(ViewCommand, Help_NamesEveryView)
 {
     const auto help = here("dioptre render --help").out;
-    for (const char* view : {"rays - ", "lost - ", "object - ", "normal - ", "depth - ", "uv - "})
+    for (const char* view : {"rays - ", "lost - ", "object - ", "normal - ", "depth - ", "uv - ", "trust - "})
         EXPECT_NE(help.find(view), std::string::npos) << view;
 }

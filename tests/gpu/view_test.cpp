@@ -235,8 +235,8 @@ TEST(Views, OfEveryGalleryScene_AreValidShaders_AndFedWhatTheyRead)
 {
     for (const auto& scene : galleryScenes()) {
         std::map<std::string, std::string> shaders; // each validated, in one run of the validator
-        for (const auto view :
-             {DataView::lost, DataView::object, DataView::normal, DataView::depth, DataView::uv})
+        for (const auto view : {DataView::lost, DataView::object, DataView::normal, DataView::depth,
+                                DataView::uv, DataView::trust})
             for (const std::vector<std::string>& overrides :
                  {std::vector<std::string>{}, {"trace.form=loop"}, {"plan.values=uniforms"}}) {
                 const auto how =
@@ -256,8 +256,8 @@ TEST(Views, OfRandomScenes_AreFedWhatTheyRead)
 {
     for (unsigned seed = 1; seed <= 12; ++seed) {
         const auto text = randomScene(seed);
-        for (const auto view :
-             {DataView::lost, DataView::object, DataView::normal, DataView::depth, DataView::uv}) {
+        for (const auto view : {DataView::lost, DataView::object, DataView::normal, DataView::depth,
+                                DataView::uv, DataView::trust}) {
             SCOPED_TRACE(std::string(rowOf(view).name) + " of seed " + std::to_string(seed) + "\n" + text);
             const char* form = seed % 2 == 0 ? "trace.form=literal" : "trace.form=loop";
             ASSERT_NO_THROW(

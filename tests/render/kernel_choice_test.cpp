@@ -1,5 +1,6 @@
 // How far a surface is from a point, and which kernels that asks for.
 #include "render/kernel_choice.h"
+#include "render/latch.h"
 #include "render/plan.h"
 #include "scene/load.h"
 
@@ -137,4 +138,38 @@ TEST(KernelChoice, IsPlainThroughoutTheScenesOfOrdinaryNumbers)
         const Plan plan = makePlan(loadScene(path, {}, 0.0, {{}, glsl}));
         EXPECT_FALSE(plan.choosesKernels()) << name << ": " << plan.feature("compensated kernels").reason;
     }
+}
+
+TEST(KernelChoice, UnderAMovingEye_IsMadeOnceAndKept)
+{
+    const auto from = [](double height) {
+        return parseScene("[camera]\neye = [0, " + std::to_string(height) +
+                              ", 5]\ntarget = [0, 0, 0]\n"
+                              "[[sphere]]\ncentre = [0, -60, 0]\nradius = 60\n",
+                          "text.toml");
+    };
+    const Scene above = from(60.0);
+    EXPECT_FALSE(makePlan(above).choosesKernels());
+    Scene near = from(0.5);
+    latch(near, above);
+    EXPECT_TRUE(makePlan(near).has("compensated kernels"));
+    Scene again = from(60.0);
+    latch(again, near);
+    EXPECT_TRUE(makePlan(again).has("compensated kernels")) << "the shader stays";
+    Scene back = from(0.5);
+    latch(back, again);
+    EXPECT_EQ(typicalOf(back).sights.size(), typicalOf(near).sights.size()) << "nothing is gathered twice";
+}
+
+TEST(KernelChoice, OfAnAnimation_ServesEveryKey)
+{
+    const std::string text =
+        "[camera]\neye = [0, 60, 0]\ntarget = [0, 0, 1]\n"
+        "[[sphere]]\ncentre = [0, -60, 0]\nradius = 60\n"
+        "[[animate]]\npath = \"camera.eye.1\"\ntimes = [0, 1, 2]\nvalues = [60, 0.5, 60]\n";
+    EXPECT_TRUE(makePlan(parseScene(text, "text.toml", {}, 0.0)).has("compensated kernels"));
+    const std::string ball = "[camera]\neye = [0, 60, 0]\ntarget = [0, 0, 1]\n"
+                             "[[sphere]]\nname = \"ball\"\ncentre = [0, -60, 0]\nradius = 60\n"
+                             "[[animate]]\npath = \"ball.centre.1\"\ntimes = [0, 1]\nvalues = [-60, -0.5]\n";
+    EXPECT_TRUE(makePlan(parseScene(ball, "text.toml", {}, 0.0)).has("compensated kernels"));
 }

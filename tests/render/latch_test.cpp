@@ -345,18 +345,3 @@ TEST(Latch, AnimatedScene_KeepsWhatItsKeysAndEarlierEditsNeed)
     EXPECT_TRUE(plan.has("refraction"));
     EXPECT_TRUE(plan.has("moving geometry"));
 }
-
-TEST(Latch, CameraThatComesNearAHugeObject_ChoosesItsKernelOnce)
-{
-    Edited edited(room + "[[sphere]]\nname = \"planet\"\ncentre = [0, -6e6, 0]\nradius = 6e6\n",
-                  {"camera.eye=[0,60,5]", "camera.target=[0,1,0]"});
-    EXPECT_TRUE(makePlan(edited.scene()).has("kernels by curvature"));
-    EXPECT_FALSE(edited.edit({"camera.eye=[0,70,5]"}));
-    Edited above(room + "[[sphere]]\nname = \"hill\"\ncentre = [0, -60, 0]\nradius = 60\n",
-                 {"camera.eye=[0,60,5]", "camera.target=[0,1,0]"});
-    EXPECT_FALSE(makePlan(above.scene()).choosesKernels());
-    EXPECT_TRUE(above.edit({"camera.eye=[0,0.5,5]"}));
-    EXPECT_TRUE(makePlan(above.scene()).has("compensated kernels"));
-    EXPECT_FALSE(above.edit({"camera.eye=[0,60,5]"})) << "it is kept";
-    EXPECT_FALSE(above.edit({"camera.eye=[0,0.5,5]"}));
-}

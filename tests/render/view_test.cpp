@@ -52,9 +52,13 @@ double figure(const ViewLegend& legend, const std::string& name)
 }
 
 const std::vector<std::pair<DataView, std::vector<std::string>>> tokens = {
-    {DataView::rays, {"lostAtOnce", "weightOfWaiting"}}, {DataView::lost, {"lostAtOnce", "weightOfWaiting"}},
-    {DataView::object, {"firstHit", "objectColour"}},    {DataView::normal, {"firstHit", "0.5 + 0.5 *"}},
-    {DataView::depth, {"firstHit", "vec3(hit.t"}},       {DataView::uv, {"firstHit", "coordinates.picture"}}};
+    {DataView::rays, {"lostAtOnce", "weightOfWaiting"}},
+    {DataView::lost, {"lostAtOnce", "weightOfWaiting"}},
+    {DataView::object, {"firstHit", "objectColour"}},
+    {DataView::normal, {"firstHit", "0.5 + 0.5 *"}},
+    {DataView::depth, {"firstHit", "vec3(hit.t"}},
+    {DataView::uv, {"firstHit", "coordinates.picture"}},
+    {DataView::trust, {"trustAt", "crossingRounding", "blurOf"}}};
 
 } // namespace
 

@@ -9,6 +9,20 @@
 
 namespace dioptre::test
 {
+namespace
+{
+
+// The validator knows `precise` from GLSL 4.00 on alone, of which GL_ARB_gpu_shader5 is a part.
+std::string forTheValidator(std::string text)
+{
+    const std::string version = "#version 330";
+    const auto at = text.find(version);
+    if (at != std::string::npos && text.find("GL_ARB_gpu_shader5 : require") != std::string::npos)
+        text.replace(at, version.size(), "#version 400");
+    return text;
+}
+
+} // namespace
 
 std::string complaints(const std::map<std::string, std::string>& shaders)
 {
@@ -16,7 +30,7 @@ std::string complaints(const std::map<std::string, std::string>& shaders)
     std::filesystem::create_directory(folder);
     std::string command = "cd '" + folder.string() + "' && glslangValidator";
     for (const auto& [name, text] : shaders) {
-        std::ofstream(folder / name) << text;
+        std::ofstream(folder / name) << forTheValidator(text);
         command += " '" + name + "'";
     }
     const auto outcome = run(command);

@@ -82,8 +82,11 @@ std::string material(Dice& dice, std::size_t index, bool glows)
     if (dice.chance(0.3))
         text += fmt::format("pattern = \"checker\"\ncolours = [{}, {}]\nsize = {:.2f}\n", dice.colour(),
                             dice.colour(), dice.between(0.2, 2.0));
-    text +=
-        "model = \"" + dice.oneOf({"lambert", "phong", "blinn"}) + "\"\nspecular = " + dice.colour() + "\n";
+    const std::string model = dice.oneOf({"lambert", "phong", "blinn", "microfacet"});
+    text += "model = \"" + model + "\"\nspecular = " + dice.colour() + "\n";
+    if (model == "microfacet")
+        text += "roughness = " + dice.oneOf({"0.2", "0.5", "1.0"}) +
+                "\nmetalness = " + dice.oneOf({"0.0", "0.6", "1.0"}) + "\n";
     if (dice.chance(0.3))
         text += "ambient = " + dice.colour() + "\n";
     if (dice.chance(0.4))

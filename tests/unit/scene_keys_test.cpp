@@ -33,6 +33,9 @@ emission = [2, 2, 2]
 light = true
 shadow = "none"
 [material.b]
+model = "microfacet"
+roughness = 1e-4
+metalness = 0.7
 )",
                                    "a.toml");
     const Material& a = scene.materials[0];
@@ -48,7 +51,12 @@ shadow = "none"
     EXPECT_EQ(a.emission, glm::dvec3(2.0));
     EXPECT_TRUE(a.light);
     EXPECT_EQ(a.shadow, ShadowKind::none);
-    EXPECT_FALSE(scene.materials[1].ambient);
+    const Material& b = scene.materials[1];
+    EXPECT_FALSE(b.ambient);
+    EXPECT_EQ(b.model, ReflectanceModel::microfacet);
+    EXPECT_EQ(b.roughness, 1e-4);
+    EXPECT_EQ(b.metalness, 0.7);
+    EXPECT_EQ(b.specular, glm::dvec3(0.04)) << "of most plastics and glass";
 }
 
 TEST(Scene, EveryKindOfLight_HasItsValuesAndItsDefaults)
