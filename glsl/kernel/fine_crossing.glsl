@@ -77,12 +77,15 @@ Crossing fineOpenCylinderCrossing(Ray ray, int object, FineVector base, FineVect
     return firstOfOpen(fineSideSpan(ray, base, axis, radius), fineEndsSpan(ray, base, axis), ray, object);
 }
 
-// On the side; the ends' normal is the axis.
+// On the side; the ends' normal is the axis. What lies along it is taken off twice: the second step brings the rest from the
+// accuracy of |f| to that of the radius, without which rays along a mirror wall would drift.
 vec3 fineSideNormal(vec3 place, FineVector base, FineVector axis)
 {
     FineVector f = fineFrom(base, place);
     vec2 along = fineDot(f, axis);
-    return normalize(fineStep(f, -(along.x + along.y) / dot(axis.high, axis.high), axis).high);
+    float perSquare = 1.0 / dot(axis.high, axis.high);
+    vec3 radial = fineStep(f, -(along.x + along.y) * perSquare, axis).high;
+    return normalize(radial - dot(radial, axis.high) * perSquare * axis.high);
 }
 
 Crossing finePlaneCrossing(Ray ray, int object, FineVector point, FineVector normal)
