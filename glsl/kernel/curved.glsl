@@ -14,10 +14,12 @@ Span spanOfQuadratic(float A, float B, float C)
     // A = 0: a plane, whose other side is at no distance. q = 0: both roots are 0.
     float first = q == 0.0 ? 0.0 : other;
     float second = A == 0.0 ? (B < 0.0 ? FAR_AWAY : -FAR_AWAY) : one;
+    // A = B = 0: along a cylinder's axis, within for ever or never.
+    bool parallel = A == 0.0 && B == 0.0;
     Span span;
-    span.found = reach >= 0.0 && !(A == 0.0 && B == 0.0);
-    span.near = min(first, second);
-    span.far = max(first, second);
+    span.found = parallel ? C <= 0.0 : reach >= 0.0;
+    span.near = parallel ? -FAR_AWAY : min(first, second);
+    span.far = parallel ? FAR_AWAY : max(first, second);
     return span;
 }
 

@@ -124,9 +124,14 @@ Crossing fineTriangleCrossing(Ray ray, int object, FineVector a, FineVector b, F
     return crossing;
 }
 
+float fineHeight(vec3 place, FineVector point, FineVector normal)
+{
+    vec2 height = fineDot(fineFrom(point, place), normal);
+    return height.x + height.y;
+}
+
 // The place brought back into the plane.
 vec3 onFinePlane(vec3 place, FineVector point, FineVector normal)
 {
-    vec2 height = fineDot(fineFrom(point, place), normal);
-    return place - (height.x + height.y) * normal.high;
+    return place - fineHeight(place, point, normal) * normal.high;
 }

@@ -80,16 +80,37 @@ vec3 solidTint(Span span, Ray ray, int object, float distance, Material material
     return passes ? tint : vec3(1.0);
 }
 
-// What an endless plane lets through: the medium behind it fills a half-space.
-vec3 planeTint(Crossing crossing, Ray ray, float distance, vec3 point, vec3 normal, Material material)
+// What an endless plane lets through: the medium behind it fills a half-space. `middle_height` is that of planeMiddle() above
+// the plane.
+vec3 halfSpaceTint(Crossing crossing, float distance, float middle_height, Material material)
 {
     bool crosses = crossing.found && crossing.t < distance;
     vec3 tint = crosses ? material.shadow_tint.xyz : vec3(1.0);
 #ifdef HAS_SHADOW_ABSORPTION
-    float middle_t = 0.5 * (crosses ? crossing.t : distance);
-    bool startsBehind = dot(ray.origin + middle_t * ray.direction - point, normal) < 0.0;
-    float behind = startsBehind ? 2.0 * middle_t : (crosses ? distance - crossing.t : 0.0);
+    float end = crosses ? crossing.t : distance;
+    float behind = middle_height < 0.0 ? end : (crosses ? distance - crossing.t : 0.0);
     tint *= chordTransmittance(material, behind);
 #endif
     return tint;
 }
+
+// The middle of the way that runs on one side of the plane, from the ray's origin on.
+vec3 planeMiddle(Crossing crossing, Ray ray, float distance)
+{
+    bool crosses = crossing.found && crossing.t < distance;
+    return ray.origin + 0.5 * (crosses ? crossing.t : distance) * ray.direction;
+}
+
+vec3 planeTint(Crossing crossing, Ray ray, float distance, vec3 point, vec3 normal, Material material)
+{
+    float height = dot(planeMiddle(crossing, ray, distance) - point, normal);
+    return halfSpaceTint(crossing, distance, height, material);
+}
+
+#ifdef HAS_CHOSEN_KERNELS
+vec3 finePlaneTint(Crossing crossing, Ray ray, float distance, FineVector point, FineVector normal, Material material)
+{
+    float height = fineHeight(planeMiddle(crossing, ray, distance), point, normal);
+    return halfSpaceTint(crossing, distance, height, material);
+}
+#endif

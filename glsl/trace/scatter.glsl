@@ -106,8 +106,10 @@ Scatter scatter(Path path)
     Shape shape = shapeOf(hit.object);
     float cosine = clamp(-dot(path.ray.direction, surface.normal), 0.0, 1.0);
     float curvature = hit.inside ? -curvatureOf(kind, shape, hit.cap) : curvatureOf(kind, shape, hit.cap);
-    float across = blurAcross(path.blur, hit.t, crossingRounding(path.ray, hit, kind, shape));
+    float across = blurAcross(path.blur, hit.t, crossingRounding(path.ray, hit, kind, shape, material));
     result.radiance = missed ? vec3(0.0) : trustAt(path, across, cosine, detailOf(kind, shape, material));
+    // What is beyond trust stays so: its path is followed no further.
+    weight *= 1.0 - result.radiance.x;
 #endif
 #ifdef HAS_MIRROR_RAY
     float c = clamp(-dot(path.ray.direction, surface.normal), 0.0, 1.0);

@@ -28,11 +28,14 @@ float detailOf(int kind, Shape shape, Material material)
 }
 
 // Metres by which rounding may move a crossing across its ray. A kernel that was chosen for precision loses no more than the
-// way to the surface does.
-float crossingRounding(Ray ray, Nearest hit, int kind, Shape shape)
+// way to the surface does; yet a pattern is laid out from the shape's anchor, however far that is.
+float crossingRounding(Ray ray, Nearest hit, int kind, Shape shape, Material material)
 {
-    float reach = hasOwnKernel(hit.object) ? hit.t : length(ray.origin - shape.anchor.xyz) + extentOf(kind, shape);
-    return SINGLE_ROUNDOFF * (reach + length(ray.origin + hit.t * ray.direction));
+    vec3 place = ray.origin + hit.t * ray.direction;
+    float pattern = material.checker.w > 0.0 ? length(place - shape.anchor.xyz) : 0.0;
+    float fine = hit.t + pattern;
+    float plain = length(ray.origin - shape.anchor.xyz) + extentOf(kind, shape);
+    return SINGLE_ROUNDOFF * ((hasOwnKernel(hit.object) ? fine : plain) + length(place));
 }
 
 // What a hit says of trust, as result.x: 1 beyond it, else 0; y: bits of 24 that are lost of the place.

@@ -10,6 +10,7 @@
 #include "command/render_steps.h"
 #include "command/report.h"
 #include "command/settings_hash.h"
+#include "kernel/reference.h"
 #include "kernel/trust.h"
 
 #include <fmt/format.h>
@@ -97,6 +98,9 @@ std::optional<double> beyondTrust(const RenderOptions& options, const PictureDra
     const PreparedScene* prepared = drawer.prepared();
     if (prepared == nullptr || prepared->plan.view != DataView::none || options.reference)
         return std::nullopt;
+    // It is compiled from the tracer, as the reference is, and says nothing of one that was edited since.
+    if (shaderFingerprint(glslFolder()) != compiledShaderFingerprint())
+        return std::nullopt;
     return shareBeyondTrust(prepared->packed, options.width, options.height);
 }
 
@@ -105,11 +109,10 @@ void warn(const Plan* plan, const StillReport& still)
 {
     if (still.figures.counts.nonfinite > 0)
         fmt::print(stderr, "dioptre: {} pixels are not finite\n", still.figures.counts.nonfinite);
-    if (plan != nullptr && plan->has("compensated kernels") && plan->guard == Guard::none)
-        fmt::print(
-            stderr,
-            "dioptre: this driver's sums are not exact, so that plain kernels stand in for compensated ones: "
-            "--why names the objects, --reference draws in double precision\n");
+    if (plan != nullptr && plan->choosesKernels() && plan->guard == Guard::none)
+        fmt::print(stderr, "dioptre: this driver's sums are not exact, which the kernels that were chosen "
+                           "for precision rely "
+                           "on: --why names the objects, --reference draws in double precision\n");
     if (still.beyondTrust.value_or(0.0) > mostBeyondTrust)
         fmt::print(
             stderr,

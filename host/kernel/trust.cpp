@@ -45,7 +45,11 @@ Picture accountOfTrust(const PackedScene& scene, int width, int height, int samp
 
 double shareBeyondTrust(const PackedScene& scene, double width, double height)
 {
-    constexpr double pixels = 2500.0;
+    // Fewer where each may ask for much.
+    constexpr double most = 2500.0, least = 100.0, crossings = 5e7;
+    const double each =
+        std::max(1.0, static_cast<double>(scene.budget) * static_cast<double>(scene.objects.size()));
+    const double pixels = std::clamp(crossings / each, least, most);
     const int columns = std::max(1, static_cast<int>(std::lround(std::sqrt(pixels * width / height))));
     const int rows = std::max(1, static_cast<int>(std::lround(std::sqrt(pixels * height / width))));
     if (scene.objects.empty())

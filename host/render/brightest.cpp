@@ -68,6 +68,22 @@ double nearestSurface(const Scene& scene, const glm::dvec3& position, std::optio
     return std::max({nearest, 0.01 * sceneSize(scene), packed::NEAREST_LIGHT});
 }
 
+// What a highlight may be of light of 1: lobes never exceed it, a rough mirror's peak is 1 / (4 alpha^2)
+// head-on.
+double mostShine(const Scene& scene, const Plan& plan)
+{
+    double most = 1.0;
+    for (const auto i : plan.materials) {
+        const Material& material = scene.materials[i];
+        if (material.model != ReflectanceModel::microfacet)
+            continue;
+        const double headOn =
+            std::lerp(largest(material.specular), largest(material.colour), material.metalness);
+        most = std::max(most, headOn / (4.0 * std::pow(material.roughness, 4.0)));
+    }
+    return most;
+}
+
 double attenuated(const glm::dvec3& attenuation, double distance)
 {
     return 1.0 / (attenuation.x + distance * (attenuation.y + distance * attenuation.z));
@@ -84,9 +100,10 @@ double brightestRadiance(const Scene& scene, const Plan& plan, double sky)
     for (const auto& light : scene.lights)
         everywhere += light.ambient;
     brightest = std::max(brightest, largest(everywhere));
+    const double shine = mostShine(scene, plan);
     for (const auto i : plan.placedLights) {
         const auto& light = scene.lights[i];
-        const double colour = std::max(largest(light.diffuse), largest(light.specular));
+        const double colour = std::max(largest(light.diffuse), shine * largest(light.specular));
         const bool far = light.kind == Light::Kind::directional;
         const double distance = far ? 0.0 : nearestSurface(scene, light.position, std::nullopt);
         brightest = std::max(brightest, far ? colour : colour * attenuated(light.attenuation, distance));
@@ -95,8 +112,8 @@ double brightestRadiance(const Scene& scene, const Plan& plan, double sky)
         const auto& sphere = std::get<Sphere>(scene.objects[i].primitive);
         const double distance = std::max(nearestSurface(scene, sphere.centre, i), sphere.radius);
         const double share = sphere.radius / distance;
-        brightest =
-            std::max(brightest, largest(scene.materials[scene.objects[i].material].emission) * share * share);
+        brightest = std::max(brightest, shine * largest(scene.materials[scene.objects[i].material].emission) *
+                                            share * share);
     }
     return brightest;
 }

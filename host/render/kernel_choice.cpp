@@ -15,6 +15,7 @@ namespace
 constexpr double mostRounding_px = 0.05;
 constexpr double mostBend = 1e4; // radii by the distance to the surface
 constexpr double bound = 8.0;    // of plain kernels, in units of rounding
+constexpr double mostFine = 1e9; // metres: compensated cylinders take products of four lengths
 constexpr int finestLines = 1080;
 
 double lengthOf(const glm::dvec3& v)
@@ -140,9 +141,12 @@ KernelChoice chooseKernel(const Primitive& primitive, const Camera& camera)
     const double reach = lengthOf(camera.eye - measure.reference) + measure.size + 2.0 * measure.distance;
     KernelChoice choice;
     choice.rounding_px = bound * std::exp2(-24.0) * reach / (measure.distance * pixel_rad);
+    const bool cylinder = std::holds_alternative<Cylinder>(primitive);
+    const bool fitsFine = !cylinder || (reach < mostFine && reach > 1.0 / mostFine);
     if (measure.radius > mostBend * measure.toRound)
         choice.form = KernelForm::curved;
-    else if (!(choice.rounding_px <= mostRounding_px)) // not a number where the eye is on the surface
+    else if (!(choice.rounding_px <= mostRounding_px) &&
+             fitsFine) // not a number where the eye is on the surface
         choice.form = KernelForm::compensated;
     return choice;
 }
@@ -183,13 +187,18 @@ std::vector<KernelChoice> chooseKernels(const Scene& scene)
     return choices;
 }
 
-bool wantsFinerKernels(const Scene& scene, const Camera& camera)
+void addSights(Scene& scene, const std::vector<Sight>& sights)
 {
-    const auto before = chooseKernels(scene);
-    auto after = before;
-    if (scene.plan.kernels != PlanChoices::Kernels::plain)
-        raise(after, scene, sightOf(scene, camera));
-    return !std::ranges::equal(before, after, {}, &KernelChoice::form, &KernelChoice::form);
+    auto choices = chooseKernels(scene);
+    for (const Sight& sight : sights) {
+        auto with = choices;
+        if (scene.plan.kernels != PlanChoices::Kernels::plain && sight.moving.size() == scene.moving.size())
+            raise(with, scene, sight);
+        if (std::ranges::equal(choices, with, {}, &KernelChoice::form, &KernelChoice::form))
+            continue;
+        scene.sights.push_back(sight);
+        choices = std::move(with);
+    }
 }
 
 } // namespace dioptre

@@ -33,7 +33,7 @@ KernelChoice chooseKernel(const Primitive& primitive, const Camera& camera);
 // "plain".
 std::vector<KernelChoice> chooseKernels(const Scene& scene);
 
-// Whether some object of the scene wants a finer kernel under a camera than those.
-bool wantsFinerKernels(const Scene& scene, const Camera& camera);
+// Adds those sights to the scene's for which some object wants a finer kernel than for all before.
+void addSights(Scene& scene, const std::vector<Sight>& sights);
 
 } // namespace dioptre

@@ -108,13 +108,10 @@ void latch(Scene& scene, const Scene& before)
         latched.lights[i].ambient = latchedAmount(latched.lights[i].ambient, earlier.lights[i].ambient);
     latched.trace.budget = latchedBudget(latched, earlier);
     latched.trace.depth = latched.trace.depth ? latched.trace.depth : earlier.trace.depth;
-    latched.sights = earlier.sights;
     if (originServes(sceneOrigin(earlier), own.camera))
         latched.camera = earlier.camera;
-    // A few sights for each object at most: each makes the kernel of one finer than all before.
-    for (const Camera& camera : {earlier.camera, scene.camera})
-        if (wantsFinerKernels(latched, camera))
-            latched.sights.push_back(sightOf(latched, camera));
+    addSights(latched, earlier.sights);
+    addSights(latched, {sightOf(earlier, earlier.camera), sightOf(scene, scene.camera)});
     if (earlier.plan.within == PlanChoices::Within::always || entersSolid(latched, scene.camera.eye))
         latched.plan.within = PlanChoices::Within::always;
     scene.typical = {std::move(latched), std::move(own)};

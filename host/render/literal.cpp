@@ -57,8 +57,9 @@ std::string throughOne(const PackedObject& object, const Plan& plan, int shadow,
     if (object.kind == packed::KIND_SPHERE || object.kind == packed::KIND_CAPPED_CYLINDER)
         return fmt::format("solidTint({}, ray, {}, distance, {})", spanCall(object, plan, id), id, table);
     if (object.kind == packed::KIND_PLANE)
-        return fmt::format("planeTint({}, ray, distance, {}, {})", crossingCall(object, plan, id),
-                           plainArguments(object), table);
+        return fmt::format("{}({}, ray, distance, {}, {})",
+                           plan.kernels[id] == KernelForm::plain ? "planeTint" : "finePlaneTint",
+                           crossingCall(object, plan, id), kernelArguments(object, plan, id), table);
     return fmt::format("wallTint({}, distance, {})", crossingCall(object, plan, id), table);
 }
 

@@ -82,6 +82,30 @@ std::string curvedArguments(const PackedObject& object)
     return text;
 }
 
+std::string plainArguments(const PackedObject& object)
+{
+    const auto anchor = xyzOf(object, anchorRow);
+    const auto axis = xyzOf(object, axisRow);
+    const auto alongU = xyzOf(object, alongURow);
+    const auto alongV = xyzOf(object, alongVRow);
+    const auto radius = rowText(object, anchorRow, ".w");
+    switch (object.kind) {
+    case packed::KIND_SPHERE:
+        return anchor + ", " + radius;
+    case packed::KIND_OPEN_CYLINDER:
+    case packed::KIND_CAPPED_CYLINDER:
+        return fmt::format("{}, {}, {}, {}", anchor, axis, radius, rowText(object, axisRow, ".w"));
+    case packed::KIND_PLANE:
+        return anchor + ", " + axis;
+    case packed::KIND_DISK:
+        return fmt::format("{}, {}, {}", anchor, axis, radius);
+    case packed::KIND_RECTANGLE:
+        return fmt::format("{}, {}, {}, {}", anchor, axis, alongU, alongV);
+    default:
+        return fmt::format("{}, {}, {}, {}", anchor, alongU, alongV, axis);
+    }
+}
+
 std::string argumentsOf(const PackedObject& object, KernelForm form)
 {
     return form == KernelForm::compensated ? compensatedArguments(object)
@@ -146,35 +170,15 @@ std::string choices(const PackedScene& packed, const Plan& plan, const char* nam
 
 } // namespace
 
-std::string plainArguments(const PackedObject& object)
+std::string kernelArguments(const PackedObject& object, const Plan& plan, std::size_t id)
 {
-    const auto anchor = xyzOf(object, anchorRow);
-    const auto axis = xyzOf(object, axisRow);
-    const auto alongU = xyzOf(object, alongURow);
-    const auto alongV = xyzOf(object, alongVRow);
-    const auto radius = rowText(object, anchorRow, ".w");
-    switch (object.kind) {
-    case packed::KIND_SPHERE:
-        return anchor + ", " + radius;
-    case packed::KIND_OPEN_CYLINDER:
-    case packed::KIND_CAPPED_CYLINDER:
-        return fmt::format("{}, {}, {}, {}", anchor, axis, radius, rowText(object, axisRow, ".w"));
-    case packed::KIND_PLANE:
-        return anchor + ", " + axis;
-    case packed::KIND_DISK:
-        return fmt::format("{}, {}, {}", anchor, axis, radius);
-    case packed::KIND_RECTANGLE:
-        return fmt::format("{}, {}, {}, {}", anchor, axis, alongU, alongV);
-    default:
-        return fmt::format("{}, {}, {}, {}", anchor, alongU, alongV, axis);
-    }
+    return argumentsOf(object, plan.kernels[id]);
 }
 
 std::string crossingCall(const PackedObject& object, const Plan& plan, std::size_t id)
 {
     return fmt::format("{}{}(ray, {}, {})", kernelOf(object.kind, plan.kernels[id]),
-                       plan.enteredOnly[id] ? "Entry" : "Crossing", id,
-                       argumentsOf(object, plan.kernels[id]));
+                       plan.enteredOnly[id] ? "Entry" : "Crossing", id, kernelArguments(object, plan, id));
 }
 
 std::string spanCall(const PackedObject& object, const Plan& plan, std::size_t id)

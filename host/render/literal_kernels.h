@@ -15,8 +15,8 @@ std::string crossingCall(const PackedObject& object, const Plan& plan, std::size
 // A Span of a solid.
 std::string spanCall(const PackedObject& object, const Plan& plan, std::size_t id);
 
-// Arguments of a plain kernel, after the ray and the object.
-std::string plainArguments(const PackedObject& object);
+// Arguments of its kernel, after the ray and the object.
+std::string kernelArguments(const PackedObject& object, const Plan& plan, std::size_t id);
 
 // hasOwnKernel(): which objects those are.
 std::string ownKernelText(const PackedScene& packed, const Plan& plan);

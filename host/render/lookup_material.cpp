@@ -75,7 +75,10 @@ std::string modelText(const Scene& scene, const Plan& plan)
         "medium", plan.materials.size(),
         [&](std::size_t i) -> std::optional<std::string> {
             const auto& material = scene.materials[plan.materials[i]];
-            if (!plan.seenMaterials[i] || !canShine(material))
+            // A lobe is multiplied by the material's own specular colour, so that one without may have any;
+            // not so microfacets.
+            const bool matters = canShine(material) || plan.defines.contains("HAS_MICROFACET");
+            if (!plan.seenMaterials[i] || !matters)
                 return std::nullopt;
             return literal(static_cast<double>(modelOf(material.model)));
         },

@@ -217,7 +217,7 @@ void Planner::animation()
     const bool literal = plan_.form == SceneForm::literal;
     add("animation", !scene_.animated.empty(), countedNames(scene_.animated, "value"),
         "nothing changes with time", {});
-    add("moving geometry", moving > 0 && (literal || plan_.readsFine),
+    add("moving geometry", moving > 0 && (literal || plan_.movesApart),
         fmt::format("{} object{}: geometry as uniforms", moving, moving == 1 ? "" : "s"),
         moving == 0 ? "no object moves" : "trace.form is loop: all geometry is in the table", {});
 }

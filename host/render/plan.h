@@ -66,6 +66,7 @@ struct Plan {
     std::vector<bool> enteredOnly;       // by object: a solid that no ray is ever within
     std::vector<KernelForm> kernels;     // by object
     Guard guard = Guard::none;           // of compensated kernels, where there are any
+    bool movesApart = false;             // whether an object moves that stands apart from a loop's table
     bool readsFine = false;              // whether the shader reads FineBlock
     bool readsMaterials = false;         // whether the shader reads any number of a material
 

@@ -24,6 +24,13 @@ std::string roundingOf(const Scene& scene, std::size_t id, const KernelChoice& c
 
 } // namespace
 
+// Whether any ray asks where it meets an object: one to a light may, where it is not seen.
+bool Planner::isAsked(std::size_t id) const
+{
+    const Material& material = scene_.materials[scene_.objects[id].material];
+    return plan_.seen[id] || (plan_.has("shadows") && material.shadow != ShadowKind::none);
+}
+
 // Objects that the plain kernels would round too coarsely. Where compensation cannot be had they keep the
 // plain ones.
 void Planner::kernels()
@@ -33,6 +40,8 @@ void Planner::kernels()
     std::vector<std::string> compensated, curved;
     double most_px = 0.0;
     for (std::size_t id = 0; id < choices.size(); ++id) {
+        if (!isAsked(id))
+            continue;
         const bool moves = std::ranges::count(scene_.moving, id) > 0;
         KernelForm form = choices[id].form;
         // The surface point of an object that moves would have to move with it: compensation serves there.
@@ -41,6 +50,7 @@ void Planner::kernels()
         plan_.kernels[id] =
             form == KernelForm::compensated && guard_ == Guard::none ? KernelForm::plain : form;
         plan_.readsFine = plan_.readsFine || (moves && plan_.kernels[id] != KernelForm::plain);
+        plan_.movesApart = plan_.movesApart || (moves && form != KernelForm::plain);
         if (form == KernelForm::plain)
             most_px = std::max(most_px, choices[id].rounding_px);
         else

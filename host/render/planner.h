@@ -71,6 +71,7 @@ private:
     void sky();
     void longitudes(); // after surfaces and sky, which ask for them
     void within();
+    bool isAsked(std::size_t id) const;
     void kernels();
     void form();
     void values();

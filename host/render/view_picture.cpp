@@ -56,7 +56,6 @@ Range rangeOf(const Picture& picture, std::size_t channel)
     return range;
 }
 
-// Each further colour stands for the same factor: a budget of 16 has 1, 2, 4, 8, 16.
 // The scale's colour at 0..1 along it.
 std::array<double, 3> scaleAt(double along)
 {
@@ -70,6 +69,7 @@ std::array<double, 3> scaleAt(double along)
     return colour;
 }
 
+// Each further colour stands for the same factor: a budget of 16 has 1, 2, 4, 8, 16.
 void showRays(ShownView& shown, int budget)
 {
     const Range rays = rangeOf(shown.picture, 0);

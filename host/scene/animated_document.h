@@ -16,7 +16,7 @@ struct AnimatedDocument {
     std::vector<Track> tracks;
     std::filesystem::path path; // of the file
     SearchPlaces places;        // of its pictures
-    std::vector<Sight> sights;  // at the keys; filled in by visitKeys()
+    std::vector<Sight> sights;  // at the keys and on the way from each to the next; filled in by visitKeys()
 };
 
 // Every key must give a good scene at its time, together with what the others are at by then. Throws badInput

@@ -32,8 +32,8 @@ Animatable animatableIn(const std::string& section)
     if (section == "material")
         return {"a material",
                 2,
-                {"colour", "colours", "size", "ambient", "specular", "shininess", "mirror", "mirror_colour",
-                 "transmit", "ior", "absorption", "emission"}};
+                {"colour", "colours", "size", "ambient", "specular", "shininess", "roughness", "metalness",
+                 "mirror", "mirror_colour", "transmit", "ior", "absorption", "emission"}};
     if (section == "light") {
         Animatable light{"a light", 2, {"position", "direction", "attenuation", "cutoff_deg", "exponent"}};
         light.keys.insert(light.keys.end(), lightColours.begin(), lightColours.end());

@@ -189,7 +189,7 @@ struct Scene {
     // scene's own comes second. None where nothing is animated or latched.
     std::vector<Scene> typical;
 
-    // Of what the plan is made from: how else its objects are looked at, at the keys of its animation or
+    // Of what the plan is made from: how else its objects are looked at, in the course of its animation or
     // before the latest edits.
     std::vector<Sight> sights;
 };

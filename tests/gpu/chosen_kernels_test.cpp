@@ -1,6 +1,7 @@
 // Objects whose kernels the plan chooses for precision: huge against the eye's distance to them. In single
 // precision they are drawn as in double, where plain kernels are not.
-#include "render/assemble.h"
+#include "render/renderer.h"
+#include "render/still.h"
 #include "scene/load.h"
 #include "support/compare.h"
 #include "support/rendering.h"
@@ -141,19 +142,136 @@ TEST_P(Grounds, AreATenthAsFarOffAsByPlainKernels_AtMost)
     EXPECT_LT(rmseOf("auto"), 0.1 * plain);
 }
 
-TEST(ChosenKernels, OfAnObjectThatMoves_AreChosenToo)
+namespace
 {
-    const std::string scene =
-        beads + "[[disk]]\nname = \"ground\"\ncentre = [4.8e5, -1.4e5, 3e5]\n"
-                "normal = [0.28, 0.96, 0]\nradius = 1e6\nmaterial = \"ground\"\n"
-                "[[sphere]]\nname = \"planet\"\ncentre = [-2.8e6, -9.6e6, 0]\nradius = 9999999\n"
-                "[[animate]]\npath = \"planet.centre.2\"\ntimes = [0, 1]\nvalues = [0, 100]\n"
-                "[[animate]]\npath = \"ground.centre.2\"\ntimes = [0, 1]\nvalues = [3e5, 3.1e5]\n";
-    for (const char* form : {"literal", "loop"}) {
-        const Request request{160, 90, 1, {std::string("trace.form=") + form}, "auto", 0.3};
-        const Picture single = renderSceneText(scene, request).picture;
-        const Picture twice = renderDoubleText(scene, request);
-        EXPECT_LT(compare(single, twice, 0.01).rmse, mostRmse)
-            << saveForTheEye("chosen-moving", single, twice);
-    }
+
+// A planet under the beads that rises a little, and a wall behind them that comes nearer.
+const std::string rising = beads + R"([[sphere]]
+name = "planet"
+centre = [-2.8e6, -9.6e6, 0]
+radius = 1e7
+material = "ground"
+[[disk]]
+name = "wall"
+centre = [4.8e5, -1.4e5, -0.05]
+normal = [0, 0, 1]
+radius = 1e6
+material = "ground"
+[[animate]]
+path = "planet.centre.1"
+times = [0, 1]
+values = [-9.6e6, -9599999.999]
+[[animate]]
+path = "wall.centre.2"
+times = [0, 1]
+values = [-0.05, -0.04]
+)";
+
+// Light through the water of a half-space whose point is far away.
+const std::string water = beads + R"([material.water]
+transmit = 1.0
+ior = 1.33
+absorption = [30, 10, 5]
+[[plane]]
+point = [9.6e6, -2.8e6, 1e6]
+normal = [0.28, 0.96, 0]
+material = "water"
+[[disk]]
+centre = [-0.0056, -0.0192, 0]
+normal = [0.28, 0.96, 0]
+radius = 0.05
+material = "red"
+)";
+
+// What a few of its pixels, and no more, may show otherwise.
+void expectAsInDouble(const std::string& scene, const Request& request)
+{
+    const Picture single = renderSceneText(scene, request).picture;
+    const Picture twice = renderDoubleText(scene, request);
+    EXPECT_LT(compare(single, twice, 0.01).rmse, mostRmse) << saveForTheEye("chosen", single, twice);
+}
+
+} // namespace
+
+TEST(ChosenKernels, OfObjectsThatMove_AreCompensated)
+{
+    const Plan plan = makePlan(parseScene(rising, "text.toml", {}, 0.3));
+    EXPECT_EQ(plan.kernels[plan.kernels.size() - 2], KernelForm::compensated)
+        << "where it stands still it is curved";
+    EXPECT_EQ(plan.kernels.back(), KernelForm::compensated);
+    for (const char* form : {"trace.form=literal", "trace.form=loop"})
+        expectAsInDouble(rising, {160, 90, 1, {form}, "auto", 0.3});
+}
+
+TEST(ChosenKernels, OfAPlaneWithAMediumBehind_DimLightByWhatIsBehind)
+{
+    EXPECT_TRUE(makePlan(parseScene(water, "text.toml")).has("compensated kernels"));
+    for (const char* form : {"trace.form=literal", "trace.form=loop"})
+        expectAsInDouble(water, {160, 90, 1, {form}, "auto"});
+}
+
+// Straight up the axis of a well 100 m wide, from near its wall.
+TEST(ChosenKernels, AlongAnAxis_MeetTheCap)
+{
+    const std::string well =
+        "[camera]\neye = [0.001, 1, 0]\ntarget = [0.001, 5, 0]\nfov_y_deg = 20\n"
+        "[[light]]\nkind = \"ambient\"\nambient = [1, 1, 1]\n"
+        "[[cylinder]]\nbase = [100, 0, 0]\naxis = [0, 9, 0]\nradius = 100\ncapped = true\n";
+    EXPECT_TRUE(makePlan(parseScene(well, "text.toml")).has("kernels by curvature"));
+    const Picture picture = renderSceneText(well, {33, 33, 1, {}, "auto"}).picture;
+    EXPECT_EQ(picture.floats[4 * (33 * 16 + 16)], 1.0F) << "the very middle";
+    expectAsInDouble(well, {33, 33, 1, {}, "auto"});
+}
+
+namespace
+{
+
+// The scene as a driver would draw it whose sums are guarded otherwise, in parts or whole.
+Picture underGuard(const std::string& toml, Guard guard, const std::vector<std::string>& overrides)
+{
+    const ViewSettings view{640, 400, 1, glslFolder()};
+    const Scene scene = parseScene(toml, glslFolder() / "scenes" / "text.toml", overrides, 0.3, places());
+    const PreparedScene prepared = prepare(scene, view);
+    Renderer renderer(prepared, view, contextFor("auto"),
+                      assembleParts(prepared, glslFolder(), ShaderDevice{15, guard}));
+    return drawStill(renderer, {0, 0, 640, 400}).picture;
+}
+
+// Under open sky, with a ribbon of 100 km that casts no shadow: most of the picture asks for no kernel of its
+// own.
+const std::string ribbon = R"([camera]
+eye = [0, 2, 5]
+target = [0, 2.2, 0]
+[sky]
+gradient = [[0.1, 0.1, 0.1], [0.6, 0.7, 0.8], [0.2, 0.3, 0.7]]
+[material.band]
+shadow = "none"
+[[light]]
+kind = "directional"
+direction = [-0.4, -1, -0.3]
+[[rectangle]]
+corner = [-5e4, 0, -3]
+edge_u = [1e5, 0, 0]
+edge_v = [0, 0.2, 0]
+material = "band"
+[[sphere]]
+centre = [0, 2.9, 0]
+radius = 0.5
+)";
+
+} // namespace
+
+TEST(ChosenKernels, UnderEveryGuard_AreFedWhatTheyRead)
+{
+    for (const auto& scene : {ribbon, rising, water, beads + grounds[0].toml})
+        for (const char* form : {"trace.form=literal", "trace.form=loop"})
+            for (const char* tiles : {"plan.tiles=on", "plan.tiles=off"}) {
+                const Picture precise = underGuard(scene, Guard::precise, {form, tiles});
+                const Picture unit = underGuard(scene, Guard::unit, {form, tiles});
+                EXPECT_LT(compare(unit, precise, 0.01).rmse, mostRmse) << form << ", " << tiles << "\n"
+                                                                       << scene;
+                EXPECT_NO_THROW(underGuard(scene, Guard::none, {form, tiles}))
+                    << form << ", " << tiles << "\n"
+                    << scene;
+            }
 }

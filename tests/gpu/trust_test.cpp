@@ -102,7 +102,7 @@ TEST(Trust, OfScenesOfOrdinaryNumbers_IsHardlyEverLost)
 
 TEST(Trust, OnTheDevice_IsWhatDoublePrecisionReckons)
 {
-    for (const char* name : {"still_life", "glass", "mirrors", "orrery"}) {
+    for (const char* name : {"still_life", "glass", "mirrors", "orrery", "planet", "whispering"}) {
         const auto file = glslFolder() / "scenes" / (std::string(name) + ".toml");
         const Scene scene = loadScene(file, ownPictures(file), 0.0, places());
         const ViewSettings view{160, 90, 1, glslFolder()};
@@ -121,6 +121,22 @@ TEST(Trust, InAPattern_EndsWhereItsSquaresAreAsFineAsTheRounding)
     EXPECT_EQ(meanOf(onDevice(squares("1.0"), 32, 18)).beyond, 0.0);
     EXPECT_EQ(meanOf(onDevice(squares("3e-5"), 32, 18)).beyond, 0.0);
     EXPECT_EQ(meanOf(onDevice(squares("1e-5"), 32, 18)).beyond, 1.0);
+}
+
+// A kernel of its own keeps the place, and not the pattern, which is laid out from a point 1e7 m away: 0.6 m
+// is lost of it.
+TEST(Trust, InAPatternFromAFarAnchor_IsLost_WhateverTheKernel)
+{
+    const auto far = [](const std::string& size) {
+        return "[camera]\neye = [0, 2, 0]\ntarget = [0, 0, 0.1]\n[[light]]\nkind = \"ambient\"\nambient = "
+               "[1, 1, 1]\n"
+               "[material.m]\npattern = \"checker\"\ncolours = [[1, 1, 1], [0, 0, 0]]\nsize = " +
+               size + "\n[[plane]]\npoint = [1e7, 0, 0]\nnormal = [0, 1, 0]\nmaterial = \"m\"\n";
+    };
+    EXPECT_TRUE(makePlan(parseScene(far("1"), "text.toml")).choosesKernels());
+    EXPECT_EQ(meanOf(onDevice(far("1"), 32, 18)).beyond, 1.0);
+    EXPECT_EQ(meanOf(inDouble(far("1"), 32, 18)).beyond, 1.0);
+    EXPECT_EQ(meanOf(onDevice(far("100"), 32, 18)).beyond, 0.0);
 }
 
 TEST(Trust, OnAnEndlessPlainPlane_IsNeverLost)

@@ -173,3 +173,27 @@ TEST(KernelChoice, OfAnAnimation_ServesEveryKey)
                              "[[animate]]\npath = \"ball.centre.1\"\ntimes = [0, 1]\nvalues = [-60, -0.5]\n";
     EXPECT_TRUE(makePlan(parseScene(ball, "text.toml", {}, 0.0)).has("compensated kernels"));
 }
+
+TEST(KernelChoice, OfAnAnimation_ServesTheWayFromKeyToKey)
+{
+    const std::string past = "[camera]\neye = [-90, 60, 0]\ntarget = [0, -60, 1]\n"
+                             "[[sphere]]\ncentre = [0, -60, 0]\nradius = 119.5\n"
+                             "[[animate]]\npath = \"camera.eye.0\"\ntimes = [0, 1]\nvalues = [-90, 90]\n";
+    EXPECT_TRUE(makePlan(parseScene(past, "text.toml", {}, 0.0)).has("compensated kernels"));
+}
+
+TEST(KernelChoice, OfAnAnimationUnderEdits_ServesItsNewKeys)
+{
+    const auto flight = [](const std::string& low) {
+        return parseScene("[camera]\neye = [0, 60, 0]\ntarget = [0, 0, 1]\n"
+                          "[[sphere]]\ncentre = [0, -60, 0]\nradius = 60\n"
+                          "[[animate]]\npath = \"camera.eye.1\"\ntimes = [0, 1]\nvalues = [60, " +
+                              low + "]\n",
+                          "text.toml");
+    };
+    const Scene high = flight("50");
+    EXPECT_FALSE(makePlan(high).choosesKernels());
+    Scene low = flight("0.5");
+    latch(low, high);
+    EXPECT_TRUE(makePlan(low).has("compensated kernels"));
+}

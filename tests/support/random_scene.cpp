@@ -83,7 +83,8 @@ std::string material(Dice& dice, std::size_t index, bool glows)
         text += fmt::format("pattern = \"checker\"\ncolours = [{}, {}]\nsize = {:.2f}\n", dice.colour(),
                             dice.colour(), dice.between(0.2, 2.0));
     const std::string model = dice.oneOf({"lambert", "phong", "blinn", "microfacet"});
-    text += "model = \"" + model + "\"\nspecular = " + dice.colour() + "\n";
+    text +=
+        "model = \"" + model + "\"\nspecular = " + (dice.chance(0.3) ? "[0, 0, 0]" : dice.colour()) + "\n";
     if (model == "microfacet")
         text += "roughness = " + dice.oneOf({"0.2", "0.5", "1.0"}) +
                 "\nmetalness = " + dice.oneOf({"0.0", "0.6", "1.0"}) + "\n";
