@@ -51,7 +51,7 @@ struct Extremes {
 struct ExactArithmetic {
     ExactTally plain;   // as written
     ExactTally precise; // every intermediate declared `precise`: GLSL lets it end at a function's call
-    ExactTally unit;    // factors of 1 through a uniform
+    ExactTally unit;    // bits flipped by a uniform that is known to be 0 to the host alone
     Tally fma;          // two-product by fma(); wrong where it rounds twice
     Extremes extremes;
 };
