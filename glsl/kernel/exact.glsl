@@ -1,7 +1,7 @@
 // Sums and products of two floats without loss: the rounded result and the error of its rounding.
 
 // What keeps the compiler from regrouping: `precise` on every intermediate, or the bits of each flipped by a pattern that it
-// cannot know to be 0. A mere factor of 1 does not do: where an operand is a constant compilers factor it out.
+// cannot know to be 0. Of each: where an operand is a constant, compilers regroup what is left unguarded.
 #ifdef HAS_PRECISE
 #define EXACT precise float
 #else

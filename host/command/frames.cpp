@@ -9,6 +9,7 @@
 #include "command/progress.h"
 #include "command/render_steps.h"
 #include "command/settings_hash.h"
+#include "command/trust_account.h"
 #include "command/video.h"
 
 #include <fmt/format.h>
@@ -107,16 +108,18 @@ void drawFrames(FramesReport& report, const RenderOptions& options, PictureDrawe
         if (tell)
             tell(static_cast<double>(report.drawn) + share);
     };
+    const TrustAccount trust(options);
     for (auto& frame : report.frames) {
         if (frame.kept)
             continue;
         Stopwatch watch;
         drawer.moveTo(frame.time_s);
         const double load_ms = watch.lap_ms();
+        const auto beyondTrust = trust(drawer);
         const RenderOptions own = optionsOf(options, frame, drawer, sources);
         const PictureFigures figures =
             drawPicture(drawer, own, video, tell ? Progress(progress) : Progress());
-        frame.figures = {figures.phases, figures.raysPerPixel(), figures.counts.nonfinite};
+        frame.figures = {figures.phases, figures.raysPerPixel(), figures.counts.nonfinite, beyondTrust};
         frame.figures.phases.load += load_ms;
         ++report.drawn;
         progress(0.0);

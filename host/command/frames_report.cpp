@@ -2,10 +2,12 @@
 
 #include "command/json_text.h"
 #include "command/report.h"
+#include "command/trust_account.h"
 #include "command/video.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace dioptre
@@ -30,6 +32,8 @@ nlohmann::ordered_json rowOf(const Frame& frame)
     row["draw_ms"] = frame.figures.phases.draw;
     row["rays_per_pixel"] = frame.figures.raysPerPixel;
     row["nonfinite_pixels"] = frame.figures.nonfinite;
+    if (frame.figures.beyondTrust)
+        row["beyond_trust"] = *frame.figures.beyondTrust;
     return row;
 }
 
@@ -85,6 +89,9 @@ void printReport(const FramesReport& report, const RenderOptions& options, const
         nonfinite += frame.figures.nonfinite;
     if (nonfinite > 0)
         fmt::print(stderr, "dioptre: {} pixels are not finite\n", nonfinite);
+    const auto beyond = [](const Frame& frame) { return frame.figures.beyondTrust.value_or(0.0); };
+    const auto worst = std::ranges::max_element(report.frames, {}, beyond);
+    warnOfTrust(beyond(*worst), fmt::format("frame {}, the worst,", worst->number));
     const std::size_t kept = report.frames.size() - report.drawn;
     fmt::print(stderr, "{}: {} frames{}, {}x{}, {} spp, {} ({})\n", nameOf(options, report), report.drawn,
                kept > 0 ? fmt::format(" and {} kept", kept) : "", options.width, options.height,

@@ -6,6 +6,7 @@
 #include "gl/context.h"
 #include "render/still.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace dioptre
 struct FrameFigures {
     Phases phases;
     double raysPerPixel = 0.0;
-    std::size_t nonfinite = 0; // pixels
+    std::size_t nonfinite = 0;         // pixels
+    std::optional<double> beyondTrust; // as TrustAccount has it
 };
 
 struct Frame {

@@ -10,8 +10,7 @@
 #include "command/render_steps.h"
 #include "command/report.h"
 #include "command/settings_hash.h"
-#include "kernel/reference.h"
-#include "kernel/trust.h"
+#include "command/trust_account.h"
 
 #include <fmt/format.h>
 
@@ -90,35 +89,16 @@ std::string defaultOutput(const RenderOptions& options, const Input& input)
     return input.name + (tile.empty() ? "" : "-" + tile) + ".png";
 }
 
-constexpr double mostBeyondTrust = 0.01; // of the picture, before it is told
-
-// Of a scene's picture that a device drew; none of a view and of a plain shader.
-std::optional<double> beyondTrust(const RenderOptions& options, const PictureDrawer& drawer)
-{
-    const PreparedScene* prepared = drawer.prepared();
-    if (prepared == nullptr || prepared->plan.view != DataView::none || options.reference)
-        return std::nullopt;
-    // It is compiled from the tracer, as the reference is, and says nothing of one that was edited since.
-    if (shaderFingerprint(glslFolder()) != compiledShaderFingerprint())
-        return std::nullopt;
-    return shareBeyondTrust(prepared->packed, options.width, options.height);
-}
-
 // What a picture that is there may not be.
 void warn(const Plan* plan, const StillReport& still)
 {
     if (still.figures.counts.nonfinite > 0)
         fmt::print(stderr, "dioptre: {} pixels are not finite\n", still.figures.counts.nonfinite);
     if (plan != nullptr && plan->choosesKernels() && plan->guard == Guard::none)
-        fmt::print(stderr, "dioptre: this driver's sums are not exact, which the kernels that were chosen "
-                           "for precision rely "
-                           "on: --why names the objects, --reference draws in double precision\n");
-    if (still.beyondTrust.value_or(0.0) > mostBeyondTrust)
-        fmt::print(
-            stderr,
-            "dioptre: {:.1f} % of the picture is beyond what single precision can tell: --view trust shows "
-            "where, --reference draws in double precision\n",
-            100.0 * *still.beyondTrust);
+        fmt::print(stderr,
+                   "dioptre: this driver's sums are not exact, and kernels that were chosen for precision "
+                   "rely on them: --why names the objects, --reference draws in double precision\n");
+    warnOfTrust(still.beyondTrust.value_or(0.0), "the picture");
 }
 
 // What is said of a picture that is there.
@@ -150,12 +130,12 @@ void renderStill(RenderOptions options, const Input& input)
     if (!options.tile.empty())
         options.settingsHash = settingsHash(options, drawer.context(), drawer.sourcesFingerprint());
     StillReport still;
+    still.beyondTrust = TrustAccount(options)(drawer); // first: a signal finds nothing written yet
     still.figures = drawPicture(drawer, options, nullptr, terminalProgress());
     still.facts = drawer.facts();
     still.phases = together(drawer.made(), still.figures.phases);
     if (!options.shader.empty())
         writeShaders(options.shader, still.facts);
-    still.beyondTrust = beyondTrust(options, drawer);
     still.phases.total = whole.lap_ms();
     report(options, drawer, still);
 }

@@ -23,7 +23,7 @@ namespace trust
 
 static const std::vector<PackedObject>* objects;
 
-// Glsl has no such table: the device's text holds the answer.
+// On the device it stands in the generated text.
 static bool hasOwnKernel(int object)
 {
     return (*objects)[static_cast<std::size_t>(object)].apart;

@@ -18,16 +18,11 @@ constexpr double bound = 8.0;    // of plain kernels, in units of rounding
 constexpr double mostFine = 1e9; // metres: compensated cylinders take products of four lengths
 constexpr int finestLines = 1080;
 
-double lengthOf(const glm::dvec3& v)
-{
-    return std::sqrt(glm::dot(v, v));
-}
-
 // Distance of the segment's nearest point; a is the segment's start, seen from the eye.
 double distanceToSegment(const glm::dvec3& a, const glm::dvec3& edge)
 {
     const double along = std::clamp(-glm::dot(a, edge) / glm::dot(edge, edge), 0.0, 1.0);
-    return lengthOf(a + along * edge);
+    return glm::length(a + along * edge);
 }
 
 // Of a polygon whose corners, seen from the eye, run around it in the plane with that normal.
@@ -61,7 +56,7 @@ public:
 
     Measure operator()(const Sphere& sphere) const
     {
-        const double away = lengthOf(eye_ - sphere.centre);
+        const double away = glm::length(eye_ - sphere.centre);
         return {sphere.centre, sphere.radius, std::abs(away - sphere.radius), sphere.radius,
                 std::abs(away - sphere.radius)};
     }
@@ -72,7 +67,7 @@ public:
         const double height = glm::dot(cylinder.axis, axis);
         const glm::dvec3 offset = eye_ - cylinder.base;
         const double z = glm::dot(offset, axis);
-        const double aside = lengthOf(offset - z * axis) - cylinder.radius;
+        const double aside = glm::length(offset - z * axis) - cylinder.radius;
         const double beyond = std::max({-z, z - height, 0.0});
         const double toWall = std::hypot(aside, beyond);
         double distance = toWall;
@@ -93,7 +88,7 @@ public:
         const glm::dvec3 normal = unit(disk.normal);
         const glm::dvec3 offset = eye_ - disk.centre;
         const double z = glm::dot(offset, normal);
-        const double aside = std::max(lengthOf(offset - z * normal) - disk.radius, 0.0);
+        const double aside = std::max(glm::length(offset - z * normal) - disk.radius, 0.0);
         return {disk.centre, disk.radius, std::hypot(z, aside), 0.0, 0.0};
     }
 
@@ -102,19 +97,18 @@ public:
         const glm::dvec3 corner = rectangle.corner - eye_;
         const glm::dvec3 u = rectangle.edgeU;
         const glm::dvec3 v = rectangle.edgeV;
-        const glm::dvec3 normal = unit(glm::cross(unit(u), unit(v)));
-        return {rectangle.corner, lengthOf(u) + lengthOf(v),
-                distanceToPolygon({corner, corner + u, corner + u + v, corner + v}, normal), 0.0, 0.0};
+        return {rectangle.corner, glm::length(u) + glm::length(v),
+                distanceToPolygon({corner, corner + u, corner + u + v, corner + v}, normalOf(u, v)), 0.0,
+                0.0};
     }
 
     Measure operator()(const Triangle& triangle) const
     {
         const glm::dvec3 u = triangle.b - triangle.a;
         const glm::dvec3 v = triangle.c - triangle.a;
-        const glm::dvec3 normal = unit(glm::cross(unit(u), unit(v)));
-        return {triangle.a, lengthOf(u) + lengthOf(v),
-                distanceToPolygon({triangle.a - eye_, triangle.b - eye_, triangle.c - eye_}, normal), 0.0,
-                0.0};
+        return {triangle.a, glm::length(u) + glm::length(v),
+                distanceToPolygon({triangle.a - eye_, triangle.b - eye_, triangle.c - eye_}, normalOf(u, v)),
+                0.0, 0.0};
     }
 
 private:
@@ -138,15 +132,16 @@ KernelChoice chooseKernel(const Primitive& primitive, const Camera& camera)
     const Measure measure = measureOf(primitive, camera.eye);
     const double fov_rad = camera.fovY_deg * std::numbers::pi / 180.0;
     const double pixel_rad = 2.0 * std::tan(0.5 * fov_rad) / finestLines;
-    const double reach = lengthOf(camera.eye - measure.reference) + measure.size + 2.0 * measure.distance;
+    const double reach = glm::length(camera.eye - measure.reference) + measure.size + 2.0 * measure.distance;
     KernelChoice choice;
     choice.rounding_px = bound * std::exp2(-24.0) * reach / (measure.distance * pixel_rad);
     const bool cylinder = std::holds_alternative<Cylinder>(primitive);
     const bool fitsFine = !cylinder || (reach < mostFine && reach > 1.0 / mostFine);
+    // Infinite, or no number, where the eye is upon the surface.
+    const bool shows = !(choice.rounding_px <= mostRounding_px);
     if (measure.radius > mostBend * measure.toRound)
         choice.form = KernelForm::curved;
-    else if (!(choice.rounding_px <= mostRounding_px) &&
-             fitsFine) // not a number where the eye is on the surface
+    else if (shows && fitsFine)
         choice.form = KernelForm::compensated;
     return choice;
 }
@@ -162,16 +157,16 @@ bool finer(const KernelChoice& a, const KernelChoice& b)
 // Raises each choice to what the sight asks for.
 void raise(std::vector<KernelChoice>& choices, const Scene& scene, const Sight& sight)
 {
-    const auto raiseOne = [&](std::size_t id, const Primitive& primitive) {
-        const KernelChoice choice = chooseKernel(primitive, sight.camera);
+    std::vector<const Primitive*> primitives;
+    for (const Object& object : scene.objects)
+        primitives.push_back(&object.primitive);
+    for (std::size_t i = 0; i < scene.moving.size(); ++i)
+        primitives[scene.moving[i]] = &sight.moving[i];
+    for (std::size_t id = 0; id < choices.size(); ++id) {
+        const KernelChoice choice = chooseKernel(*primitives[id], sight.camera);
         if (finer(choice, choices[id]))
             choices[id] = choice;
-    };
-    for (std::size_t id = 0; id < choices.size(); ++id)
-        if (std::ranges::count(scene.moving, id) == 0)
-            raiseOne(id, scene.objects[id].primitive);
-    for (std::size_t i = 0; i < scene.moving.size(); ++i)
-        raiseOne(scene.moving[i], sight.moving[i]);
+    }
 }
 
 } // namespace

@@ -89,8 +89,7 @@ std::string throughEach(const Scene& scene, const PackedScene& packed, const Pla
 std::string lightThroughText(const Scene& scene, const PackedScene& packed, const Plan& plan)
 {
     return "// The share of the light from that distance along the ray that arrives; `glowing` does not "
-           "shade "
-           "its own light.\n"
+           "shade its own light.\n"
            "vec3 lightThrough(Ray ray, float distance, int glowing)\n" +
            throughEach(scene, packed, plan, false);
 }

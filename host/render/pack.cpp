@@ -1,7 +1,6 @@
 #include "render/pack.h"
 
 #include "render/pack_fine.h"
-
 #include "scene/camera.h"
 
 #include <algorithm>
@@ -209,7 +208,7 @@ PackedScene pack(const Scene& scene, const Plan& plan, const View& view)
         result.objects.push_back(packShape(object, origin));
         refuseBeyondFloat(object, result.objects.back());
         result.objects.back().apart = plan.kernels[id] != KernelForm::plain;
-        result.objects.back().fine = packFine(object.primitive, origin);
+        result.objects.back().fine = packFine(result.objects.back());
         result.objects.back().material = indexIn(plan.materials, object.material);
     }
     for (std::size_t i = 0; i < scene.moving.size(); ++i)

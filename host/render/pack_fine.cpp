@@ -10,100 +10,55 @@ namespace dioptre
 namespace
 {
 
+using glm::dvec3;
 using packed::vec4;
 
-vec4 lost(const glm::dvec3& value)
+vec4 lost(const vec4& row)
 {
+    const dvec3 value(row);
     return vec4(value - asFloat(value), 0.0);
 }
 
-class FinePacker
+// Some unit vector at right angles to a unit one.
+dvec3 perpendicularTo(const dvec3& axis)
 {
-public:
-    explicit FinePacker(const glm::dvec3& origin) : origin_(origin) {}
+    const bool upright = std::abs(axis.y) > 0.9;
+    return unit(glm::cross(axis, upright ? dvec3(1.0, 0.0, 0.0) : dvec3(0.0, 1.0, 0.0)));
+}
 
-    packed::FineShape operator()(const Sphere& sphere) const
-    {
-        auto fine = about(sphere.centre, glm::dvec3(0.0, 1.0, 0.0));
-        setPoint(fine, sphere.centre - origin_, sphere.radius, glm::dvec3(0.0, 1.0, 0.0));
-        return fine;
-    }
-
-    packed::FineShape operator()(const Cylinder& cylinder) const
-    {
-        auto fine = about(cylinder.base, cylinder.axis);
-        const glm::dvec3 axis = unit(cylinder.axis);
-        const glm::dvec3 base = cylinder.base - origin_;
-        // The axis' point nearest to the scene origin.
-        const double above = -glm::dot(base, axis);
-        setPoint(fine, base + above * axis, cylinder.radius, perpendicularTo(axis));
-        fine.point_normal.w = above;
-        return fine;
-    }
-
-    packed::FineShape operator()(const Plane& plane) const
-    {
-        return about(plane.point, unit(plane.normal));
-    }
-
-    packed::FineShape operator()(const Disk& disk) const
-    {
-        return about(disk.centre, unit(disk.normal));
-    }
-
-    packed::FineShape operator()(const Rectangle& rectangle) const
-    {
-        const glm::dvec3 across = glm::cross(unit(rectangle.edgeU), unit(rectangle.edgeV));
-        return about(rectangle.corner, unit(across));
-    }
-
-    packed::FineShape operator()(const Triangle& triangle) const
-    {
-        const glm::dvec3 u = unit(triangle.b - triangle.a);
-        const glm::dvec3 v = unit(triangle.c - triangle.a);
-        auto fine = about(triangle.a, unit(glm::cross(u, v)));
-        fine.along_u_low = lost(triangle.b - origin_);
-        fine.along_v_low = lost(triangle.c - origin_);
-        return fine;
-    }
-
-private:
-    packed::FineShape about(const glm::dvec3& anchor, const glm::dvec3& axis) const
-    {
-        packed::FineShape fine{};
-        fine.anchor_low = lost(anchor - origin_);
-        fine.axis = vec4(axis, 0.0);
-        fine.axis_low = lost(axis);
-        return fine;
-    }
-
-    // Some unit vector at right angles to a unit one.
-    static glm::dvec3 perpendicularTo(const glm::dvec3& axis)
-    {
-        const bool upright = std::abs(axis.y) > 0.9;
-        return unit(glm::cross(axis, upright ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0)));
-    }
-
-    // The point of a round surface nearest to the scene origin; `middle` is its centre, or its axis' point
-    // there.
-    static void setPoint(packed::FineShape& fine, const glm::dvec3& middle, double radius,
-                         const glm::dvec3& otherwise)
-    {
-        const double distance = std::sqrt(glm::dot(middle, middle));
-        const glm::dvec3 normal = distance > 0.0 ? -middle / distance : otherwise;
-        fine.point = vec4((radius - distance) * normal, 1.0 / radius);
-        fine.point_normal = vec4(normal, 0.0);
-        fine.point_normal_low = lost(normal);
-    }
-
-    glm::dvec3 origin_;
-};
+// The point of a round surface nearest to the scene origin. `middle` is its centre, or the point of its axis
+// nearest to there; from the very middle any normal across the axis will do.
+void setPoint(packed::FineShape& fine, const dvec3& middle, const packed::Shape& shape)
+{
+    const double radius = shape.anchor.w;
+    const double distance = glm::length(middle);
+    const dvec3 normal = distance > 0.0 ? -middle / distance : perpendicularTo(dvec3(shape.axis));
+    fine.point = vec4((radius - distance) * normal, 1.0 / radius);
+    fine.point_normal = vec4(normal, 0.0);
+    fine.point_normal_low = lost(fine.point_normal);
+}
 
 } // namespace
 
-packed::FineShape packFine(const Primitive& primitive, const glm::dvec3& origin)
+packed::FineShape packFine(const PackedObject& object)
 {
-    return std::visit(FinePacker(origin), primitive);
+    const packed::Shape& shape = object.shape;
+    const bool cylinder =
+        object.kind == packed::KIND_OPEN_CYLINDER || object.kind == packed::KIND_CAPPED_CYLINDER;
+    packed::FineShape fine{};
+    fine.anchor_low = lost(shape.anchor);
+    fine.axis = vec4((cylinder ? shape.axis.w : 1.0) * dvec3(shape.axis), 0.0);
+    fine.axis_low = lost(fine.axis);
+    fine.along_u_low = lost(shape.along_u);
+    fine.along_v_low = lost(shape.along_v);
+    if (object.kind == packed::KIND_SPHERE)
+        setPoint(fine, dvec3(shape.anchor), shape);
+    if (cylinder) {
+        const double above = -glm::dot(dvec3(shape.anchor), dvec3(shape.axis));
+        setPoint(fine, dvec3(shape.anchor) + above * dvec3(shape.axis), shape);
+        fine.point_normal.w = above;
+    }
+    return fine;
 }
 
 } // namespace dioptre

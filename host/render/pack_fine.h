@@ -2,12 +2,11 @@
 #pragma once
 
 #include "kernel/packed_scene.h"
-#include "scene/scene.h"
 
 namespace dioptre
 {
 
-// Relative to the origin, as packShape().
-packed::FineShape packFine(const Primitive& primitive, const glm::dvec3& origin);
+// Of what packShape() made.
+packed::FineShape packFine(const PackedObject& object);
 
 } // namespace dioptre

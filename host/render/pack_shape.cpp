@@ -116,7 +116,7 @@ private:
         PackedObject result;
         result.kind = kind;
         result.shape.anchor = vec4(corner - origin_, std::cos(turn_rad_));
-        result.shape.axis = vec4(unit(glm::cross(unit(u), unit(v))), std::sin(turn_rad_));
+        result.shape.axis = vec4(normalOf(u, v), std::sin(turn_rad_));
         return result;
     }
 

@@ -1,12 +1,9 @@
 #include "render/planner.h"
 
-#include "scene/primitive.h"
-
-#include "base/text.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace dioptre
 {
@@ -18,8 +15,8 @@ std::string roundingOf(const Scene& scene, std::size_t id, const KernelChoice& c
 {
     const std::string& own = scene.objects[id].name;
     const std::string name = own.empty() ? fmt::format("object {}", id) : own;
-    return choice.rounding_px < 1.0e6 ? fmt::format("{} ({:.2g} pixels)", name, choice.rounding_px)
-                                      : fmt::format("{} (the eye is upon it)", name);
+    return std::isfinite(choice.rounding_px) ? fmt::format("{} ({:.2g} pixels)", name, choice.rounding_px)
+                                             : fmt::format("{} (the eye is upon it)", name);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "scene/animated_document.h"
 
 #include "scene/sections.h"
+#include "scene/sights_along.h"
 
 #include <fmt/format.h>
 
@@ -70,52 +71,24 @@ void nameChanges(Scene& scene, const AnimatedDocument& animation)
     scene.moving = {moving.begin(), moving.end()};
 }
 
-bool movesInSpace(const Track& track)
-{
-    const auto& section = track.steps.front();
-    return section == "camera" || std::ranges::find(objectKinds(), section) != objectKinds().end();
-}
-
-void addSight(AnimatedDocument& animation, Scene scene)
-{
-    nameChanges(scene, animation);
-    animation.sights.push_back(sightOf(scene, scene.camera));
-}
-
-// On the way from one key to the next the eye may come nearer to something than at both.
-void lookBetweenKeys(AnimatedDocument& animation)
-{
-    constexpr int steps = 8;
-    const std::set<double> times = keyTimes(animation.tracks);
-    for (auto next = std::next(times.begin()); next != times.end(); ++next)
-        for (int i = 1; i < steps; ++i) {
-            const double before_s = *std::prev(next);
-            const double time_s = before_s + (*next - before_s) * i / steps;
-            try {
-                addSight(animation, sceneWith(animation, time_s,
-                                              [&](const Track& track) { return valueAt(track, time_s); }));
-            } catch (const Error&) { // a mixture that is no good is told when it is to be drawn
-            }
-        }
-}
-
 } // namespace
 
 void visitKeys(AnimatedDocument& animation)
 {
+    std::vector<Sight> keys;
     for (const double time_s : keyTimes(animation.tracks)) {
         try {
-            addSight(animation, sceneWith(animation, time_s, [&](const Track& track) {
-                         return valueAt(track, time_s, Seam::last);
-                     }));
+            Scene scene = sceneWith(animation, time_s,
+                                    [&](const Track& track) { return valueAt(track, time_s, Seam::last); });
+            nameChanges(scene, animation);
+            keys.push_back(sightOf(scene, scene.camera));
         } catch (const Error&) {
             // A mixture may have failed of which a key is the cause: that is the place to name.
             checkKeysAlone(animation);
             throw;
         }
     }
-    if (std::ranges::any_of(animation.tracks, movesInSpace))
-        lookBetweenKeys(animation);
+    animation.sights = sightsAlong(keys);
 }
 
 Scene sceneAt(const AnimatedDocument& animation, double time_s)

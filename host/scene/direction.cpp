@@ -25,6 +25,11 @@ glm::dvec3 unit(const glm::dvec3& vector)
     return scaled / glm::length(scaled);
 }
 
+glm::dvec3 normalOf(const glm::dvec3& u, const glm::dvec3& v)
+{
+    return unit(glm::cross(unit(u), unit(v)));
+}
+
 bool parallel(const glm::dvec3& u, const glm::dvec3& v)
 {
     if (largestPart(u) == 0.0 || largestPart(v) == 0.0)

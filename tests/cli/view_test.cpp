@@ -100,6 +100,23 @@ TEST_F(ViewCommand, PicturesBeyondTrust_AreWarnedOf_WithTheShareThatTheViewShows
                      .contains("beyond_trust"));
 }
 
+// One ball comes in from outside: of the first frame all is sure.
+TEST_F(ViewCommand, FramesBeyondTrust_AreWarnedOfByTheWorst)
+{
+    writeFile(folder / "mirrors.toml",
+              "[camera]\neye = [0, 0, 5]\n[trace]\nbudget = 40\n[sky]\ncolour = [1, 1, 1]\n"
+              "[material.m]\nmirror = 1.0\n[[sphere]]\nname = \"ball\"\ncentre = [40, 1, 0]\nradius = 2\n"
+              "material = \"m\"\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 9\nmaterial = \"m\"\n"
+              "[[animate]]\npath = \"ball.centre.0\"\ntimes = [0, 1]\nvalues = [40, 3]\n");
+    const auto frames =
+        here("dioptre render mirrors.toml --size 64x36 --spp 1 --json --frames 0:1 --fps 1 -o a.png");
+    EXPECT_EQ(frames.code, 0) << frames.error;
+    const auto rows = nlohmann::json::parse(frames.out)["frames"];
+    EXPECT_LT(rows[0]["beyond_trust"].get<double>(), 0.01);
+    EXPECT_GT(rows[1]["beyond_trust"].get<double>(), 0.1);
+    EXPECT_NE(frames.error.find("% of frame 1, the worst, is beyond"), std::string::npos) << frames.error;
+}
+
 TEST_F(ViewCommand, Exr_HoldsTheNumbersThemselves)
 {
     ASSERT_EQ(here("dioptre render glass --size 64x36 --spp 1 --view depth -o a.exr").code, 0);

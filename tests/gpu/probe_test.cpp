@@ -1,4 +1,6 @@
 // What glsl/probe/ measures on this machine's software driver, whose faults are known.
+#include "base/file.h"
+#include "base/write_file.h"
 #include "gl/limits.h"
 #include "render/device_scene.h"
 #include "render/exact_arithmetic.h"
@@ -93,6 +95,27 @@ TEST_P(Probe, WithoutGpuShader5_TheUniformGuards)
     EXPECT_EQ(arithmetic.precise.twoSum.tested, 0U);
     EXPECT_EQ(arithmetic.fma.tested, 0U);
     EXPECT_EQ(guardOf(arithmetic), Guard::unit);
+}
+
+// Mesa regroups how a constant is split into halves, and nothing else, unless each step is held.
+TEST_P(Probe, AGuardThatLeavesStepsOut_IsFoundOut)
+{
+    const auto glsl =
+        std::filesystem::path(testing::TempDir()) / ("half_guarded_" + std::to_string(getpid()));
+    std::filesystem::copy(glslFolder(), glsl, std::filesystem::copy_options::recursive);
+    std::string text = readFile(glsl / "kernel" / "exact.glsl");
+    for (const auto& [guarded, bare] : {std::pair{"HELD(SPLITTER * a)", "SPLITTER * a"},
+                                        {"HELD(scaled - HELD(scaled - a))", "scaled - HELD(scaled - a)"}}) {
+        const auto at = text.find(guarded);
+        ASSERT_NE(at, std::string::npos) << guarded;
+        text.replace(at, std::string(guarded).size(), bare);
+    }
+    writeFile(glsl / "kernel" / "exact.glsl", text);
+    const ExactArithmetic arithmetic = testExactArithmetic(glsl, deviceLimits().gpuShader5);
+    std::filesystem::remove_all(glsl);
+    EXPECT_TRUE(arithmetic.unit.twoSum.right());
+    EXPECT_GT(arithmetic.unit.twoProduct.wrong, 32768U);
+    EXPECT_TRUE(arithmetic.precise.right());
 }
 
 // A square that overflows gives 0, one that vanishes infinity.
