@@ -142,6 +142,30 @@ float checkerField(vec2 metres, float size)
 }
 #endif
 
+#ifdef HAS_COORDINATES
+// What a pattern and a picture make of a surface's colour; `away_m`: how far light has come from there to the eye, `slant`:
+// the cosine between its way and the normal.
+vec3 worn(vec3 position, vec3 outward, int kind, Shape shape, Material material, float away_m, float slant)
+{
+    Coordinates coordinates = coordinatesOf(position, outward, kind, shape, material);
+    vec3 colour = vec3(1.0);
+#ifdef HAS_CHECKER
+    // An object without a pattern has fields of size 0, and its colour to itself.
+    float size = material.checker.w;
+    bool second = checkerField(coordinates.metres, size > 0.0 ? size : 1.0) > 0.5;
+    vec3 field = second ? material.checker.xyz : material.checker_first.xyz;
+    colour *= size > 0.0 ? field : vec3(1.0);
+#endif
+#ifdef HAS_PICTURES
+    // The footprint of a sample at this distance, as a share of the picture: a circle of the ellipse's area.
+    float footprint_m = u_camera.forward.w * away_m / sqrt(max(abs(slant), 0.001));
+    colour *= pictureColour(int(material.colour.w), coordinates.picture, coordinates.wraps,
+                            footprint_m / coordinates.extent);
+#endif
+    return colour;
+}
+#endif
+
 // Everything about the point where a path meets an object.
 Surface surfaceAt(Path path, Nearest hit, Material material)
 {
@@ -153,21 +177,11 @@ Surface surfaceAt(Path path, Nearest hit, Material material)
     surface.normal = hit.inside ? -outward : outward;
     surface.colour = material.colour.xyz;
 #ifdef HAS_COORDINATES
-    Coordinates coordinates = coordinatesOf(surface.position, outward, kind, shape, material);
-#endif
-#ifdef HAS_CHECKER
-    // An object without a pattern has fields of size 0, and its colour to itself.
-    float size = material.checker.w;
-    bool second = checkerField(coordinates.metres, size > 0.0 ? size : 1.0) > 0.5;
-    vec3 field = second ? material.checker.xyz : material.checker_first.xyz;
-    surface.colour *= size > 0.0 ? field : vec3(1.0);
-#endif
+    float away_m = 0.0;
 #ifdef HAS_PICTURES
-    // The footprint of a sample at this distance, as a share of the picture: a circle of the ellipse's area.
-    float slant = max(abs(dot(path.ray.direction, outward)), 0.001);
-    float footprint_m = u_camera.forward.w * (path.travelled + hit.t) / sqrt(slant);
-    surface.colour *= pictureColour(int(material.colour.w), coordinates.picture, coordinates.wraps,
-                                    footprint_m / coordinates.extent);
+    away_m = path.travelled + hit.t;
+#endif
+    surface.colour *= worn(surface.position, outward, kind, shape, material, away_m, dot(path.ray.direction, outward));
 #endif
     return surface;
 }

@@ -66,6 +66,7 @@ struct RenderOptions {
     std::array<std::string, 4> channels; // of a plain shader: see ChannelSource
     std::string mouse;                   // of a plain shader: "X,Y" or "X,Y,down"; "" for never touched
     std::string backend = "auto";
+    std::string method = "trace";    // as methodNamed() reads it
     std::string view;                // data in place of light; "" for none
     bool half = false;               // EXR in 16-bit floats
     int bits = 0;                    // of a PNG's channels, 8 or 16; 0 where unset

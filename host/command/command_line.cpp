@@ -9,6 +9,7 @@
 #include "command/size_option.h"
 #include "command/stability.h"
 #include "gl/context.h"
+#include "raster/method.h"
 #include "render/data_view.h"
 #include "render/layers.h"
 #include "scene/choices.h"
@@ -119,6 +120,16 @@ void addPlain(CLI::App& command, RenderOptions& options)
         ->type_name("X,Y[,down]");
 }
 
+void addMethod(CLI::App& command, std::string& method)
+{
+    command
+        .add_option("--method", method,
+                    fmt::format("how a scene is drawn; N facets along each side of a shape, {} to {}:{}",
+                                leastFacets, mostFacets, meaningsOf(shadings)))
+        ->type_name("METHOD[:N]")
+        ->capture_default_str();
+}
+
 void addRender(CLI::App& app, RenderOptions& options, std::string& size)
 {
     auto* command = app.add_subcommand("render", "draw a scene or a plain shader without a window");
@@ -152,6 +163,7 @@ void addRender(CLI::App& app, RenderOptions& options, std::string& size)
     command->add_option("--backend", options.backend, "where to draw")
         ->check(CLI::IsMember(backendNames()))
         ->capture_default_str();
+    addMethod(*command, options.method);
     command->add_option("--view", options.view, viewHelp())
         ->check(CLI::IsMember(dataViewNames()))
         ->type_name("VIEW");

@@ -39,7 +39,7 @@ void refuseEditedShader(const std::filesystem::path& glsl)
 } // namespace
 
 PictureDrawer::PictureDrawer(const RenderOptions& options, const Input& input, double first_s, int rowsAtOnce)
-    : input_(input), settings_(viewSettingsOf(options, rowsAtOnce)),
+    : method_(methodNamed(options.method)), input_(input), settings_(viewSettingsOf(options, rowsAtOnce)),
       text_(input.plainShader ? readFile(input.path) : readSceneText(input.path)),
       context_{"reference", "double precision on the CPU", "", true}
 {
@@ -51,11 +51,14 @@ PictureDrawer::PictureDrawer(const RenderOptions& options, const Input& input, d
         startVariablesAtZero();
     }
     Stopwatch watch;
-    std::future<PreparedScene> preparing; // beside the making of the context
+    std::future<void> preparing; // beside the making of the context
     if (!input.plainShader) {
         scene_ = parseSceneOverTime(text_, input.path, options.overrides, searchPlaces(options.included));
-        preparing = std::async(std::launch::async, [scene = scene_(first_s), settings = settings_] {
-            return prepare(scene, settings);
+        preparing = std::async(std::launch::async, [this, scene = scene_(first_s)] {
+            if (isRasterised(method_))
+                raster_ = prepareRaster(scene, settings_, method_);
+            else
+                prepared_ = prepare(scene, settings_);
         });
     }
     made_.load = watch.lap_ms();
@@ -67,7 +70,7 @@ PictureDrawer::PictureDrawer(const RenderOptions& options, const Input& input, d
         made_.context = watch.lap_ms();
     }
     if (preparing.valid())
-        prepared_ = preparing.get();
+        preparing.get();
     made_.load += watch.lap_ms(); // what the making of the context did not hide
     if (!options.reference)
         makeRenderers(options);
@@ -80,6 +83,10 @@ void PictureDrawer::makeRenderers(const RenderOptions& options)
     if (input_.plainShader) {
         plainRenderer_ = std::make_unique<PlainRenderer>(input_.path, settings_, plain_, context_);
         return addTimes(plainRenderer_->times());
+    }
+    if (raster_) {
+        rasterRenderer_ = std::make_unique<RasterRenderer>(*raster_, settings_);
+        return addTimes(rasterRenderer_->times());
     }
     renderer_ = std::make_unique<Renderer>(*prepared_, settings_, context_);
     addTimes(renderer_->times());
@@ -99,7 +106,16 @@ void PictureDrawer::addTimes(const BuildTimes& times)
 
 DrawingFacts PictureDrawer::facts() const
 {
-    return plainRenderer_ ? plainRenderer_->facts() : renderer_ ? renderer_->facts() : DrawingFacts{};
+    return drawing() != nullptr ? drawing()->facts() : DrawingFacts{};
+}
+
+Drawing* PictureDrawer::drawing() const
+{
+    if (plainRenderer_)
+        return plainRenderer_.get();
+    if (rasterRenderer_)
+        return rasterRenderer_.get();
+    return renderer_.get();
 }
 
 std::vector<std::string> PictureDrawer::layerChannels() const
@@ -112,6 +128,10 @@ void PictureDrawer::moveTo(double time_s)
     if (plainRenderer_) {
         plain_.frame.time_s = time_s;
         return plainRenderer_->moveTo(plain_.frame);
+    }
+    if (raster_) {
+        dioptre::moveTo(*raster_, scene_(time_s), settings_);
+        return rasterRenderer_->update(*raster_);
     }
     dioptre::moveTo(*prepared_, scene_(time_s), settings_);
     if (renderer_)
@@ -132,10 +152,9 @@ Still PictureDrawer::drawReference(const PixelRectangle& rows) const
 
 PictureDrawer::Band PictureDrawer::draw(const PixelRectangle& rows, const Progress& progress)
 {
-    if (!plainRenderer_ && !renderer_)
+    if (drawing() == nullptr)
         return {drawReference(rows), {}};
-    Drawing& drawing = plainRenderer_ ? static_cast<Drawing&>(*plainRenderer_) : *renderer_;
-    Band band{drawStill(drawing, rows, progress), {}};
+    Band band{drawStill(*drawing(), rows, progress), {}};
     Stopwatch watch;
     if (layers_)
         band.layers = layers_->draw(rows);
@@ -177,8 +196,11 @@ std::string PictureDrawer::plainSources() const
 unsigned long long PictureDrawer::sourcesFingerprint() const
 {
     std::string all = text_ + "\n";
-    if (prepared_)
-        addPictures(all, *prepared_);
+    if (prepared() != nullptr)
+        addPictures(all, *prepared());
+    if (rasterRenderer_)
+        for (const auto& text : rasterRenderer_->texts())
+            all += flatten(text.vertex) + flatten(text.fragment);
     if (renderer_)
         for (const auto& part : renderer_->parts())
             all += flatten(part.shader) +
@@ -188,7 +210,7 @@ unsigned long long PictureDrawer::sourcesFingerprint() const
             all += flatten(shader);
     if (input_.plainShader)
         all += plainSources();
-    if (!input_.plainShader && !renderer_)
+    if (drawing() == nullptr)
         all += fmt::format("{:016x}\n", compiledShaderFingerprint());
     return fingerprint(all);
 }

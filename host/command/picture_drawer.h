@@ -3,6 +3,7 @@
 
 #include "command/command.h"
 #include "command/input.h"
+#include "raster/raster_renderer.h"
 #include "render/layers.h"
 #include "render/plain.h"
 #include "render/renderer.h"
@@ -29,7 +30,7 @@ public:
     // The scene at the time of the last moveTo(); null for a plain shader.
     const PreparedScene* prepared() const
     {
-        return prepared_ ? &*prepared_ : nullptr;
+        return raster_ ? &raster_->prepared : prepared_ ? &*prepared_ : nullptr;
     }
     // What the making took, milliseconds.
     const Phases& made() const
@@ -59,19 +60,23 @@ private:
     void makeRenderers(const RenderOptions& options);
     void addTimes(const BuildTimes& times);
     std::string plainSources() const;
+    Drawing* drawing() const; // null for the reference
     Still drawReference(const PixelRectangle& rows) const;
 
+    Method method_;
     Input input_;
     ViewSettings settings_;
     PlainSettings plain_; // of a plain shader
     std::string text_;    // of the input's file
     SceneOverTime scene_;
-    std::optional<PreparedScene> prepared_;
+    std::optional<PreparedScene> prepared_; // of a scene that is traced
+    std::optional<RasterScene> raster_;     // of one that is rasterised
     std::unique_ptr<Context> glContext_;
     ContextInfo context_;
     std::unique_ptr<Renderer> renderer_;           // of a scene, but of the reference
     std::unique_ptr<PlainRenderer> plainRenderer_; // of a plain shader
-    std::unique_ptr<LayerDrawer> layers_;          // where there are any
+    std::unique_ptr<RasterRenderer> rasterRenderer_;
+    std::unique_ptr<LayerDrawer> layers_; // where there are any
     Phases made_;
 };
 

@@ -11,6 +11,7 @@
 #include "command/report.h"
 #include "command/settings_hash.h"
 #include "command/trust_account.h"
+#include "raster/method.h"
 
 #include <fmt/format.h>
 
@@ -38,6 +39,18 @@ void refuseBadOptions(const RenderOptions& options, const Input& input)
         fail(ExitCode::usage,
              options.input + " is a plain shader, and --budget, --view and --reference are for scenes",
              "leave them out");
+    const bool rasterised = isRasterised(methodNamed(options.method));
+    if (rasterised && input.plainShader)
+        fail(ExitCode::usage, options.input + " is a plain shader, and --method is for scenes",
+             "leave it out");
+    if (rasterised && (options.reference || !options.view.empty() || !options.layers.empty()))
+        fail(ExitCode::usage,
+             "--view, --layers and --reference are of traced pictures, and --method " + options.method +
+                 " rasterises",
+             "leave one of them out");
+    if (rasterised && options.budget > 0)
+        fail(ExitCode::usage, "--budget counts rays, and --method " + options.method + " traces none",
+             "leave one of them out");
     const bool anyChannel = std::ranges::any_of(options.channels, [](const auto& c) { return !c.empty(); });
     if (!input.plainShader && (anyChannel || !options.mouse.empty()))
         fail(ExitCode::usage,

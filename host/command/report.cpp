@@ -70,6 +70,15 @@ nlohmann::ordered_json viewJson(const std::string& name, const ViewLegend& legen
     return json;
 }
 
+nlohmann::ordered_json rasterJson(const RasterFacts& raster)
+{
+    return {{"objects_drawn", raster.drawn},
+            {"objects_culled", raster.culled},
+            {"triangles", raster.triangles},
+            {"shadow_maps", raster.shadowMaps},
+            {"shadow_map_px", raster.shadowMap_px}};
+}
+
 } // namespace
 
 std::string shaderText(const DrawnPart* part, const SourceText& shader)
@@ -102,7 +111,11 @@ std::string whyText(const Plan* plan, const StillReport& still)
     std::string text;
     if (plan != nullptr) {
         text += planTable(*plan);
-        text += fmt::format("\nbudget    {} rays a sample\n", plan->budget);
+        if (const auto& raster = still.facts.raster)
+            text += fmt::format("\nobjects   {} drawn, {} outside the view; {} triangles\n", raster->drawn,
+                                raster->culled, raster->triangles);
+        else
+            text += fmt::format("\nbudget    {} rays a sample\n", plan->budget);
     }
     if (still.facts.shader.empty())
         return text + "traced in double precision on the CPU: no shader, textures or uniforms on a device\n";
@@ -152,6 +165,9 @@ std::string jsonText(const RenderOptions& options, const StillReport& still, con
     };
     if (still.beyondTrust)
         json["beyond_trust"] = *still.beyondTrust;
+    json["method"] = options.method;
+    if (still.facts.raster)
+        json["raster"] = rasterJson(*still.facts.raster);
     if (!options.tile.empty())
         json["tile"] = options.tile;
     if (still.figures.legend)

@@ -229,6 +229,8 @@ Settings settingsOf(const RenderOptions& options, const ContextInfo& context)
         settings["dioptre.set"] = join(options.overrides, " ");
     if (!options.included.empty())
         settings["dioptre.include"] = join(options.included, " ");
+    if (options.method != "trace")
+        settings["dioptre.method"] = options.method;
     if (!options.layers.empty())
         settings["dioptre.layers"] = join(options.layers, ",");
     if (!options.tile.empty())

@@ -12,7 +12,8 @@ namespace dioptre
 
 TrustAccount::TrustAccount(const RenderOptions& options)
     : width_(options.width), height_(options.height),
-      speaks_(!options.reference && shaderFingerprint(glslFolder()) == compiledShaderFingerprint())
+      speaks_(!options.reference && !isRasterised(methodNamed(options.method)) &&
+              shaderFingerprint(glslFolder()) == compiledShaderFingerprint())
 {
 }
 

@@ -155,10 +155,6 @@ std::string sceneText(const Scene& scene, const Plan& plan, const PackedScene& p
 
 } // namespace
 
-namespace
-{
-
-// The version, the tables' sizes and `body` with its includes, less what main() does not reach.
 SourceText assembled(const Plan& plan, const PackedScene& packed, const SourceText& body,
                      const PreprocessInput& input)
 {
@@ -169,8 +165,6 @@ SourceText assembled(const Plan& plan, const PackedScene& packed, const SourceTe
     result.insert(result.end(), pruned.begin(), pruned.end());
     return result;
 }
-
-} // namespace
 
 SourceText assemble(const Scene& scene, const Plan& plan, const PackedScene& packed,
                     const std::filesystem::path& glslFolder)

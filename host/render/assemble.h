@@ -3,6 +3,7 @@
 
 #include "render/literal.h"
 #include "render/picture_groups.h"
+#include "render/preprocess.h"
 #include "render/source_text.h"
 
 #include <filesystem>
@@ -22,6 +23,10 @@ SourceText assemble(const Scene& scene, const Plan& plan, const PackedScene& pac
 // The vertex shader that goes with it: the full-screen triangle, and what all its pixels share.
 SourceText assembleVertex(const Plan& plan, const PackedScene& packed,
                           const std::filesystem::path& glslFolder);
+
+// The version, the tables' sizes and `body` with its includes, less what main() does not reach.
+SourceText assembled(const Plan& plan, const PackedScene& packed, const SourceText& body,
+                     const PreprocessInput& input);
 
 // Includes whose names begin so are written by assemble() itself.
 inline constexpr std::string_view generatedFolder = "generated/";

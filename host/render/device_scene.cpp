@@ -259,16 +259,21 @@ std::vector<std::string> plannedUniforms(const Plan& plan)
 void checkInterface(const Program& program, const PackedScene& packed, const Plan& plan)
 {
     // One list for all: their names never meet.
-    auto uniforms = plannedUniforms(plan);
+    auto names = plannedUniforms(plan);
     for (const auto& name : plannedTextures(plan, packed))
-        uniforms.push_back(name);
+        names.push_back(name);
     for (const auto& name : plannedBlocks(plan))
-        uniforms.push_back(name);
+        names.push_back(name);
+    checkInterface(program, names);
+}
+
+void checkInterface(const Program& program, const std::vector<std::string>& fed)
+{
     auto activeUniforms = keysOf(program.uniforms);
     const auto activeBlocks = keysOf(program.uniformBlocks);
     activeUniforms.insert(activeUniforms.end(), activeBlocks.begin(), activeBlocks.end());
-    const std::string unread = missing(uniforms, activeUniforms);
-    const std::string unfed = missing(activeUniforms, uniforms);
+    const std::string unread = missing(fed, activeUniforms);
+    const std::string unfed = missing(activeUniforms, fed);
     if (!unread.empty())
         fail(
             ExitCode::badInput, "the plan feeds " + unread + ", and the shader does not read it",

@@ -70,6 +70,9 @@ std::vector<std::string> plannedTextures(const Plan& plan, const PackedScene& pa
 // dioptre or in an edited shader. Throws badInput naming each.
 void checkInterface(const Program& program, const PackedScene& packed, const Plan& plan);
 
+// The same with the names of all uniforms outside blocks and of all blocks that are fed.
+void checkInterface(const Program& program, const std::vector<std::string>& fed);
+
 // Where an active uniform is; -1, which OpenGL ignores, where the scene does not need it.
 GLint locationOf(const Program& program, const std::string& name);
 

@@ -8,6 +8,7 @@
 #include "render/samples.h"
 #include "render/source_text.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,6 +38,15 @@ struct DrawnPart {
     SourceText shader;
 };
 
+// What a rasterised picture took.
+struct RasterFacts {
+    int drawn = 0;      // objects
+    int culled = 0;     // objects outside the view's frustum
+    long triangles = 0; // of the objects that are drawn
+    int shadowMaps = 0; // a light that shines all around has six
+    int shadowMap_px = 0;
+};
+
 // What draws, for reports.
 struct DrawingFacts {
     SourceText shader;            // of the fullest part; empty where there is no device
@@ -45,6 +55,7 @@ struct DrawingFacts {
     std::vector<std::string> textures; // sampler uniforms in use
     std::vector<std::string> uniforms; // active, outside blocks
     std::vector<std::string> blocks;   // active uniform blocks
+    std::optional<RasterFacts> raster; // where the scene is rasterised
 };
 
 class Drawing

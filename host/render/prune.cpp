@@ -86,7 +86,9 @@ void classify(ShaderItem& item, const SourceText& source)
         const auto name = std::find(words.begin(), words.end(), "uniform") + 1;
         declare(ShaderItem::Kind::block, name != words.end() ? *name : "");
         item.names.insert(members.begin(), members.end());
-    } else if (word(0) == "uniform")
+    } else if (word(0) == "layout") // an input of the vertex stage
+        declare(ShaderItem::Kind::uniform, words.back());
+    else if (word(0) == "uniform" || word(0) == "in")
         declare(ShaderItem::Kind::uniform, word(2));
     else if (word(0) == "const")
         declare(ShaderItem::Kind::constant, word(2));

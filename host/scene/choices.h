@@ -33,6 +33,14 @@ inline constexpr std::array sceneForms{
     NamedChoice<SceneForm>{"loop", SceneForm::loop, "the shader reads the geometry from a table"},
 };
 
+// [raster] shadow_filter
+inline constexpr std::array shadowFilters{
+    NamedChoice<Raster::ShadowFilter>{"nearest", Raster::ShadowFilter::nearest,
+                                      "lit or not, by the nearest texel of the shadow map"},
+    NamedChoice<Raster::ShadowFilter>{"pcf", Raster::ShadowFilter::percentage,
+                                      "percentage-closer: the share of nine texels that see the light"},
+};
+
 // [output] curve
 inline constexpr std::array toneCurves{
     NamedChoice<ToneCurve>{"none", ToneCurve::none, "radiance beyond 1 is white"},

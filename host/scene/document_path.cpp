@@ -71,8 +71,8 @@ std::vector<NamedObject> namedObjects(const Table& document)
 // A section whose keys all have defaults may be absent from the file.
 void createSection(Table& document, const std::string& key, const SourcePosition& where)
 {
-    const bool optional =
-        key == "camera" || key == "sky" || key == "trace" || key == "plan" || key == "output";
+    const bool optional = key == "camera" || key == "sky" || key == "trace" || key == "plan" ||
+                          key == "raster" || key == "output";
     if (optional && !find(document, key))
         document.entries.push_back({key, where, {Table{}, where}});
 }

@@ -14,8 +14,8 @@ namespace dioptre
 const std::vector<std::string>& sceneKeys()
 {
     static const std::vector<std::string> keys = [] {
-        std::vector<std::string> names{"title",  "camera",   "sky",   "trace",  "plan",
-                                       "output", "material", "light", "animate"};
+        std::vector<std::string> names{"title",  "camera", "sky",      "trace", "plan",
+                                       "raster", "output", "material", "light", "animate"};
         names.insert(names.end(), objectKinds().begin(), objectKinds().end());
         return names;
     }();
@@ -49,6 +49,7 @@ Scene readScene(const Value& document, const std::filesystem::path& path, const 
     scene.sky = readSky(sections, pictures);
     scene.trace = readTrace(sections);
     scene.plan = readPlan(sections);
+    scene.raster = readRaster(sections);
     scene.output = readOutput(sections);
     scene.lights = readLights(sections);
     scene.objects = readObjects(sections, scene.materials);

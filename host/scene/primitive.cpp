@@ -31,6 +31,10 @@ Primitive readPlane(const TableReader& reader)
     Plane plane;
     reader.vector("point", plane.point);
     reader.nonZero("normal", plane.normal);
+    double extent_m = 0.0;
+    reader.number("raster_extent_m", extent_m, aboveZero);
+    if (extent_m > 0.0)
+        plane.rasterExtent_m = extent_m;
     return plane;
 }
 
@@ -74,7 +78,7 @@ const std::vector<PrimitiveKind>& primitiveKinds()
     static const std::vector<PrimitiveKind> kinds{
         {"sphere", {"centre", "radius"}, {}, readSphere},
         {"cylinder", {"base", "axis", "radius"}, {"capped"}, readCylinder},
-        {"plane", {"point", "normal"}, {}, readPlane},
+        {"plane", {"point", "normal"}, {"raster_extent_m"}, readPlane},
         {"disk", {"centre", "normal", "radius"}, {}, readDisk},
         {"rectangle", {"corner", "edge_u", "edge_v"}, {}, readRectangle},
         {"triangle", {"a", "b", "c"}, {}, readTriangle}};

@@ -76,6 +76,15 @@ struct PlanChoices {
     bool operator==(const PlanChoices&) const = default;
 };
 
+// How the rasterised methods stand in for what they cannot do.
+struct Raster {
+    enum class ShadowFilter { nearest, percentage };
+    int shadowMap_px = 1024; // a side of each shadow map; 0: nothing casts a shadow
+    ShadowFilter shadowFilter = ShadowFilter::nearest;
+    double shadowBias = 1.0; // times the depth that a texel spans on a surface at its angle to the light
+    int interfaces = 2;      // 1 or 2: how often light is bent that is looked up in the sky through glass
+};
+
 enum class ReflectanceModel { lambert, phong, blinn, microfacet };
 enum class ShadowKind { opaque, tinted, none };
 
@@ -136,7 +145,8 @@ struct Cylinder {
 };
 struct Plane {
     glm::dvec3 point{0.0};
-    glm::dvec3 normal{0.0, 1.0, 0.0}; // any length
+    glm::dvec3 normal{0.0, 1.0, 0.0};     // any length
+    std::optional<double> rasterExtent_m; // side of the square about `point` that is tessellated
 };
 struct Disk {
     glm::dvec3 centre{0.0};
@@ -175,6 +185,7 @@ struct Scene {
     Sky sky;
     Trace trace;
     PlanChoices plan;
+    Raster raster;
     Display output;                  // what a picture for the eye is shown by, where nobody asks otherwise
     std::vector<Material> materials; // in file order
     std::vector<Light> lights;       // in file order

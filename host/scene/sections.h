@@ -17,6 +17,7 @@ Camera readCamera(const Table& document, const std::vector<Material>& materials)
 Sky readSky(const Table& document, const Search& pictures);
 Trace readTrace(const Table& document);
 PlanChoices readPlan(const Table& document);
+Raster readRaster(const Table& document);
 Display readOutput(const Table& document);
 std::vector<Material> readMaterials(const Table& document, const Search& pictures);
 std::vector<Light> readLights(const Table& document);

@@ -32,7 +32,7 @@ public:
     }
     Plane operator()(const Plane& a, const Plane& b) const
     {
-        return {(*this)(a.point, b.point), (*this)(a.normal, b.normal)};
+        return {(*this)(a.point, b.point), (*this)(a.normal, b.normal), a.rasterExtent_m};
     }
     Disk operator()(const Disk& a, const Disk& b) const
     {

@@ -99,7 +99,31 @@ bool referenceSpeaks()
     return same;
 }
 
+// The answer with no tolerance below that.
+Answer within(Answer answer, double tolerance)
+{
+    for (auto& expectation : answer.expectations)
+        expectation.tolerance = std::max(expectation.tolerance, tolerance);
+    return answer;
+}
+
 } // namespace
+
+// By one renderer over all moments, so that what is baked once shows.
+TEST_P(Answers, HoldForOtherMethods)
+{
+    const Answer answer = readAnswer(GetParam());
+    const PictureFiles files(answer);
+    const auto moments = momentsOf(answer);
+    for (const auto& method : answer.methods) {
+        Request request = files.request(answer, {}, 0.0);
+        request.method = method.name;
+        const auto pictures = rasteriseMoments(GetParam(), request, moments);
+        for (std::size_t i = 0; i < moments.size(); ++i)
+            expectHolds(within(answer, method.tolerance), pictures[i].picture, moments[i],
+                        "--method " + method.name);
+    }
+}
 
 TEST_P(Answers, Hold)
 {

@@ -147,6 +147,10 @@ void readLine(const std::string& key, Words& words, int line, Answer& answer)
         answer.also.emplace_back();
         while (words.more())
             answer.also.back().push_back(words.next<std::string>());
+    } else if (key == "method") {
+        answer.methods.push_back({words.next<std::string>(), 0.0});
+        words.skip("within");
+        answer.methods.back().tolerance = words.next<double>();
     } else if (key == "expect") {
         answer.expectations.push_back(readExpectation(words, answer, line));
     }

@@ -4,6 +4,7 @@
 //   # picture: sky.image = blocks of 8: rg / bw       made for the test, top row first: a letter is 8 x 8
 //                                                     texels of black k, full r g b c m y w, or grey h (188)
 //   # also: trace.order=breadth-first trace.budget=9  one more rendering, under these overrides
+//   # method: phong:8 within 1e-5                   likewise by this method, each tolerance at least so
 //   # time: 1.5                                       seconds, for what follows; 0 above the first
 //   # expect: pixel 4,4 = 0.04 0.04 0.04 within 1e-5  counted from the lower left corner
 //   # expect: pixels 0,0 to 8,3 = 1 0 0 within 1e-5   both corners included
@@ -39,6 +40,12 @@ struct BlockPicture {
     std::vector<std::string> rows;
 };
 
+// A method that the scene is drawn by besides.
+struct OtherMethod {
+    std::string name;
+    double tolerance = 0.0;
+};
+
 struct Answer {
     std::filesystem::path scene;
     int width = 9;
@@ -47,6 +54,7 @@ struct Answer {
     double time_s = 0.0; // while reading: of the lines to come
     std::vector<BlockPicture> pictures;
     std::vector<std::vector<std::string>> also;
+    std::vector<OtherMethod> methods;
     std::vector<Expectation> expectations;
 };
 

@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "kernel/reference.h"
+#include "raster/raster_renderer.h"
 #include "render/renderer.h"
 #include "scene/load.h"
 
@@ -19,9 +20,24 @@ ViewSettings settingsOf(const Request& request)
     return {request.width, request.height, request.samples, glslFolder(), {}, request.view};
 }
 
+Rendered drawn(Drawing& drawing, const ViewSettings& settings)
+{
+    const PixelRectangle whole{0, 0, settings.width, settings.height};
+    Still still = drawStill(drawing, whole);
+    Rendered rendered{drawing.facts(), std::move(still.picture), still.counts, 0.0};
+    rendered.raysPerSample = still.counts.rays / static_cast<double>(whole.area()) / settings.samples;
+    return rendered;
+}
+
 Rendered renderLoaded(const Scene& scene, const Request& request)
 {
     const auto settings = settingsOf(request);
+    if (const Method method = methodNamed(request.method); isRasterised(method)) {
+        contextFor(request.backend);
+        const RasterScene raster = prepareRaster(scene, settings, method);
+        RasterRenderer renderer(raster, settings);
+        return drawn(renderer, settings);
+    }
     return renderPrepared(prepare(scene, settings), settings, request.backend);
 }
 
@@ -82,11 +98,24 @@ Rendered renderPrepared(const PreparedScene& prepared, const ViewSettings& setti
                         const std::string& backend)
 {
     Renderer renderer(prepared, settings, contextFor(backend));
-    const PixelRectangle whole{0, 0, settings.width, settings.height};
-    Still still = drawStill(renderer, whole);
-    Rendered rendered{renderer.facts(), std::move(still.picture), still.counts, 0.0};
-    rendered.raysPerSample = still.counts.rays / static_cast<double>(whole.area()) / settings.samples;
-    return rendered;
+    return drawn(renderer, settings);
+}
+
+std::vector<Rendered> rasteriseMoments(const std::filesystem::path& scene, const Request& request,
+                                       const std::vector<double>& moments_s)
+{
+    const auto settings = settingsOf(request);
+    const auto at = [&](double time_s) { return loadScene(scene, request.overrides, time_s, places()); };
+    contextFor(request.backend);
+    RasterScene raster = prepareRaster(at(moments_s.front()), settings, methodNamed(request.method));
+    RasterRenderer renderer(raster, settings);
+    std::vector<Rendered> pictures;
+    for (const double time_s : moments_s) {
+        moveTo(raster, at(time_s), settings);
+        renderer.update(raster);
+        pictures.push_back(drawn(renderer, settings));
+    }
+    return pictures;
 }
 
 Rendered renderScene(const std::filesystem::path& scene, const Request& request)

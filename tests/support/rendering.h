@@ -21,6 +21,7 @@ struct Request {
     std::string backend = "auto";
     double time_s = 0.0;
     DataView view = DataView::none;
+    std::string method = "trace"; // as --method
 };
 
 // A picture, and what drew it.
@@ -53,6 +54,11 @@ Rendered renderPrepared(const PreparedScene& prepared, const ViewSettings& setti
 Picture renderDouble(const std::filesystem::path& scene, const Request& request);
 
 Picture renderDoubleText(const std::string& toml, const Request& request);
+
+// The scene's pictures at several moments, drawn one after the other by the same programs, by a method that
+// rasterises.
+std::vector<Rendered> rasteriseMoments(const std::filesystem::path& scene, const Request& request,
+                                       const std::vector<double>& moments_s);
 
 // The context that the calls above draw on.
 const ContextInfo& contextFor(const std::string& backend);

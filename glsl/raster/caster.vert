@@ -1,0 +1,25 @@
+// Of a shadow map: what a light looks at.
+
+#include "shared/constants.glsl"
+#include "shared/structs.glsl"
+#include "trace/uniforms.glsl"
+#include "raster/shadow_view.glsl"
+#include "raster/uniforms.glsl"
+#include "trace/scene_table.glsl"
+#include "raster/unit_shape.glsl"
+
+layout(location = 0) in vec4 a_place; // on the unit shape
+
+out vec4 v_place; // scene frame, homogeneous
+
+void main()
+{
+    v_place = placeInScene(a_place, kindOf(u_object), shapeOf(u_object));
+    ShadowView view = u_shadow_views[u_shadow_view];
+    vec3 offset = v_place.xyz - v_place.w * view.eye.xyz;
+    float ahead = dot(offset, view.forward.xyz);
+    bool perspective = view.eye.w > 0.5;
+    vec2 clip = vec2(dot(offset, view.right.xyz), dot(offset, view.up.xyz));
+    float depth = perspective ? ahead - 2.0 * view.forward.w * v_place.w : ahead * view.forward.w;
+    gl_Position = vec4(clip, depth, perspective ? ahead : v_place.w);
+}

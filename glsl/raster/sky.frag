@@ -1,0 +1,19 @@
+// Where no object covers a pixel: the sky.
+
+#include "shared/constants.glsl"
+#include "shared/structs.glsl"
+#include "kernel/ray.glsl"
+#include "kernel/lat_long.glsl"
+#include "trace/uniforms.glsl"
+#include "raster/uniforms.glsl"
+#include "trace/path.glsl"
+#include "trace/camera.glsl"
+#include "trace/sky.glsl"
+
+out vec4 o_sample;
+
+void main()
+{
+    Path eye = eyePath(gl_FragCoord.xy + u_tile_origin_px + sampleOffset(u_sample_first));
+    o_sample = vec4(skyRadiance(eye.ray.direction), 0.0);
+}

@@ -1,0 +1,24 @@
+// Nets of facets on the device.
+#pragma once
+
+#include "gl/object.h"
+#include "raster/mesh.h"
+
+namespace dioptre
+{
+
+// What glsl/raster/surface.vert calls its inputs, by location.
+struct MeshBuffer {
+    VertexArray vertexArray;
+    Buffer vertices; // a_place, a_normal and, where facets are told apart, a_facet_place, a_facet_normal
+    Buffer indices;
+    GLsizei count = 0; // of indices
+};
+
+// `apart`: with what facets are told apart by.
+MeshBuffer uploadMesh(const Mesh& mesh, bool apart);
+
+// Draws all its triangles with the current program and state.
+void draw(const MeshBuffer& mesh);
+
+} // namespace dioptre

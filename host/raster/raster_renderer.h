@@ -1,0 +1,79 @@
+// A scene on the device, drawn from facets.
+#pragma once
+
+#include "gl/context.h"
+#include "raster/mesh_buffer.h"
+#include "raster/raster_text.h"
+#include "raster/sample_target.h"
+#include "render/device_scene.h"
+#include "render/drawing.h"
+
+#include <map>
+#include <optional>
+
+namespace dioptre
+{
+
+class RasterRenderer final : public Drawing
+{
+public:
+    // On the current context. `raster` must outlive the renderer. Throws badInput with the author's file and
+    // line when a shader does not compile, and where the scene's lights are more than the method can hand on.
+    RasterRenderer(const RasterScene& raster, const ViewSettings& view);
+
+    // Goes on with the same scene at another time, as moveTo() left it: nothing is compiled, no picture is
+    // uploaded, shadow maps are drawn anew. `raster` must outlive the renderer.
+    void update(const RasterScene& raster);
+
+    // The same in a picture of another size.
+    void update(const RasterScene& raster, const ViewSettings& view);
+
+    // From the sums of the samples in rgb: means, and alpha 1.
+    PixelCounts finish(Picture& picture) const override;
+
+    DrawingFacts facts() const override;
+
+    // Of all its programs.
+    std::vector<RasterText> texts() const
+    {
+        return {texts_.surface, texts_.sky, texts_.caster};
+    }
+
+    // Facets' edges over the picture; off at first.
+    void showWires(bool on)
+    {
+        wires_ = on;
+    }
+
+protected:
+    void drawBatches(std::span<const SampleBatch> batches, const PixelRectangle& area) override;
+    std::span<const SampleBatch> batches() const override;
+
+private:
+    void build();
+    void makeMeshes();
+    void makeShadows();
+    void see();
+    void drawShadowMaps();
+    void drawSample(const PixelRectangle& cell, int sample, const PixelRectangle& area);
+    void drawObjects(const Program& program) const;
+    void use(const Program& program, const PixelRectangle& cell, int sample) const;
+    const MeshBuffer& meshOf(std::size_t object) const;
+
+    const RasterScene* raster_;
+    ViewSettings view_;
+    RasterTexts texts_;
+    std::vector<SampleBatch> batches_;
+    std::optional<Program> surface_, caster_;
+    Program sky_, add_;
+    DeviceScene device_;
+    std::map<int, MeshBuffer> meshes_; // by kind
+    VertexArray noVertices_;           // of the full-screen triangle
+    std::optional<SampleTarget> sample_;
+    std::optional<ShadowMaps> shadows_;
+    bool shadowsDrawn_ = false;
+    std::vector<bool> seen_; // by object
+    bool wires_ = false;
+};
+
+} // namespace dioptre

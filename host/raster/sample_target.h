@@ -1,0 +1,31 @@
+// Where one sample of a picture is rasterised before it is added to the others.
+#pragma once
+
+#include "gl/object.h"
+
+namespace dioptre
+{
+
+// Float32 RGBA and depth.
+struct SampleTarget {
+    int width = 0;  // pixels
+    int height = 0; // pixels
+    Texture colour;
+    Texture depth;
+    Framebuffer framebuffer;
+};
+
+// Throws retry without memory, noOpenGl where it cannot be drawn into.
+SampleTarget makeSampleTarget(int width, int height);
+
+// Depths alone, of shadow maps: a square of `side` texels and `layers` of them, each float32.
+struct ShadowMaps {
+    int side = 0; // texels
+    int layers = 0;
+    Texture distances; // R32F array
+    Texture depth;     // for the test of a layer at a time
+    Framebuffer framebuffer;
+};
+ShadowMaps makeShadowMaps(int side, int layers);
+
+} // namespace dioptre

@@ -1,0 +1,35 @@
+// From where the lights of a scene look at it for their shadow maps.
+#pragma once
+
+#include "kernel/packed_scene.h"
+
+#include <vector>
+
+namespace dioptre
+{
+
+namespace packed
+{
+#define float double
+#include "../glsl/raster/shadow_view.glsl"
+#undef float
+
+static_assert(sizeof(ShadowView) == 4 * sizeof(vec4));
+} // namespace packed
+
+// The views of a light: `first` in the list of all; one where it shines one way, six (+x, -x, +y, -y, +z, -z)
+// where it shines all around.
+struct LightViews {
+    int first = 0;
+    int count = 0;
+};
+
+struct ShadowViews {
+    std::vector<packed::ShadowView> views;
+    std::vector<LightViews> lights; // by PackedScene::lights
+};
+
+// `casts`: by object, whether it stands in light's way.
+ShadowViews shadowViews(const PackedScene& scene, const std::vector<bool>& casts);
+
+} // namespace dioptre
