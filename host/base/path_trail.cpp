@@ -10,7 +10,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr int mostLinks = 40; // as the kernel's own limit, MAXSYMLINKS
+constexpr int mostTrailLinks = 40; // as the kernel's own limit, MAXSYMLINKS
 
 // Puts the names of `path` before those that are still to be walked.
 void putFirst(std::deque<std::string>& names, const fs::path& path)
@@ -46,7 +46,7 @@ PathTrail trailOf(const fs::path& path)
         trail.end = {folder, name};
         std::error_code fault;
         const fs::file_status status = fs::symlink_status(at, fault);
-        if (fs::is_symlink(status) && trail.links.size() < mostLinks) {
+        if (fs::is_symlink(status) && trail.links.size() < mostTrailLinks) {
             trail.links.push_back(trail.end);
             const fs::path target = fs::read_symlink(at, fault);
             if (target.is_absolute())
