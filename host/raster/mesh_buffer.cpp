@@ -1,6 +1,7 @@
 #include "raster/mesh_buffer.h"
 
 #include "base/error.h"
+#include "kernel/packed_scene.h"
 
 #include <array>
 
@@ -71,6 +72,19 @@ MeshBuffer uploadMesh(const Mesh& mesh, bool apart)
     }
     glBindVertexArray(0);
     return buffer;
+}
+
+MeshBuffers uploadMeshes(const std::vector<int>& kinds, const Method& method)
+{
+    const bool apart = method.shading == Shading::flat;
+    MeshBuffers buffers;
+    for (const int kind : kinds)
+        if (!buffers.contains(kind)) {
+            const bool endless = kind == packed::KIND_PLANE && hasEndlessPlanes(method);
+            buffers.emplace(kind,
+                            uploadMesh(endless ? endlessPlane() : meshOf(kind, method.facets, apart), apart));
+        }
+    return buffers;
 }
 
 void draw(const MeshBuffer& mesh)

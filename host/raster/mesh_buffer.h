@@ -3,6 +3,9 @@
 
 #include "gl/object.h"
 #include "raster/mesh.h"
+#include "raster/method.h"
+
+#include <map>
 
 namespace dioptre
 {
@@ -17,6 +20,10 @@ struct MeshBuffer {
 
 // `apart`: with what facets are told apart by.
 MeshBuffer uploadMesh(const Mesh& mesh, bool apart);
+
+// The nets of a scene's kinds of shapes, by packed::KIND_...
+using MeshBuffers = std::map<int, MeshBuffer>;
+MeshBuffers uploadMeshes(const std::vector<int>& kinds, const Method& method);
 
 // Draws all its triangles with the current program and state.
 void draw(const MeshBuffer& mesh);

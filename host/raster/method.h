@@ -45,4 +45,10 @@ inline bool isRasterised(const Method& method)
     return method.shading != Shading::trace;
 }
 
+// Whether planes are drawn to infinity: where pixels are lit. Facets and vertices need places to be lit at.
+inline bool hasEndlessPlanes(const Method& method)
+{
+    return method.shading == Shading::phong;
+}
+
 } // namespace dioptre

@@ -66,17 +66,18 @@ RasterRenderer::RasterRenderer(const RasterScene& raster, const ViewSettings& vi
     Stopwatch watch;
     refuseCrowdedStage(raster.prepared.plan, raster.method);
     texts_ = rasterTexts(raster, view.glslFolder);
-    for (int i = 0; i < view.samples; ++i)
-        batches_.push_back({i, 1});
+    dealSamples();
     device_ = upload(raster.prepared.packed, {&raster.prepared.plan});
-    makeMeshes();
-    makeShadows();
-    see();
+    std::vector<int> kinds;
+    for (const auto& object : raster.prepared.packed.objects)
+        kinds.push_back(object.kind);
+    meshes_ = uploadMeshes(kinds, raster.method);
     GLuint name = 0;
     glGenVertexArrays(1, &name);
     noVertices_ = VertexArray(name);
     times_.load = watch.lap_ms();
     build();
+    placeObjects();
     times_.compile = watch.lap_ms();
     const PixelRectangle first{0, 0, 1, 1};
     drawSample(cellsOf(first).front(), 0, first);
@@ -89,47 +90,14 @@ void RasterRenderer::build()
     if (!texts_.surface.fragment.empty())
         surface_ = buildProgram(texts_.surface);
     if (!texts_.caster.fragment.empty())
-        caster_ = buildProgram(texts_.caster);
+        shadows_ = ShadowPass(*raster_, texts_.caster);
     sky_ = buildProgram(texts_.sky);
-    SourceText add = linesOf("#version 330 core", "generated");
-    const SourceText lines = readSource(view_.glslFolder / "raster" / "add.frag");
-    add.insert(add.end(), lines.begin(), lines.end());
-    add_ = buildProgram({{}, add, {"u_sample", "u_sample_origin_px"}});
+    add_ = buildProgram(texts_.add);
 }
 
-void RasterRenderer::makeMeshes()
+void RasterRenderer::placeObjects()
 {
-    const bool apart = raster_->method.shading == Shading::flat;
-    for (const auto& object : raster_->prepared.packed.objects) {
-        if (meshes_.contains(object.kind))
-            continue;
-        const bool endless = object.kind == packed::KIND_PLANE && hasEndlessPlanes(raster_->method);
-        const Mesh mesh =
-            endless ? endlessPlane() : dioptre::meshOf(object.kind, raster_->method.facets, apart);
-        meshes_.emplace(object.kind, uploadMesh(mesh, apart));
-    }
-}
-
-void RasterRenderer::makeShadows()
-{
-    shadowsDrawn_ = false;
-    const auto& views = raster_->shadows.views;
-    if (views.empty())
-        return;
-    if (!shadows_)
-        shadows_ =
-            makeShadowMaps(raster_->prepared.scene.raster.shadowMap_px, static_cast<int>(views.size()));
-    std::vector<float> values;
-    const auto* numbers = reinterpret_cast<const double*>(views.data());
-    std::transform(numbers, numbers + views.size() * sizeof(packed::ShadowView) / sizeof(double),
-                   std::back_inserter(values), [](double number) { return static_cast<float>(number); });
-    std::erase_if(device_.blocks, [](const BoundBlock& block) { return block.block == "ShadowBlock"; });
-    device_.blocks.push_back({"ShadowBlock", uploadUniformBuffer(values), values.size() * sizeof(float)});
-}
-
-void RasterRenderer::see()
-{
-    // Patches have moved into the packed shapes after the plan was made: upload() has taken them with it.
+    shadows_.update(*raster_, device_);
     seen_ = seenBy(raster_->prepared.packed, view_.width, view_.height, hasEndlessPlanes(raster_->method));
 }
 
@@ -143,15 +111,17 @@ void RasterRenderer::update(const RasterScene& raster, const ViewSettings& view)
     raster_ = &raster;
     view_ = view;
     resize(targetWidth(view), targetHeight(view));
+    dealSamples();
     std::erase_if(device_.blocks, [](const BoundBlock& block) { return block.block == "ShadowBlock"; });
     uploadNumbers(device_, raster.prepared.packed);
-    makeShadows();
-    see();
+    placeObjects();
 }
 
-const MeshBuffer& RasterRenderer::meshOf(std::size_t object) const
+void RasterRenderer::showWires(bool on)
 {
-    return meshes_.at(raster_->prepared.packed.objects[object].kind);
+    wires_ = on;
+    if (on && !wire_ && surface_)
+        wire_ = buildProgram(texts_.wire);
 }
 
 void RasterRenderer::use(const Program& program, const PixelRectangle& cell, int sample) const
@@ -159,17 +129,7 @@ void RasterRenderer::use(const Program& program, const PixelRectangle& cell, int
     bind(program, device_, raster_->prepared.packed, {view_.width, view_.height}, {cell.x, cell.y});
     glUniform1i(locationOf(program, "u_sample_first"), sample);
     glUniform1f(locationOf(program, "u_near_m"), static_cast<GLfloat>(raster_->near_m));
-    if (!shadows_)
-        return;
-    glUniform1f(locationOf(program, "u_shadow_bias"),
-                static_cast<GLfloat>(raster_->prepared.scene.raster.shadowBias));
-    if (const GLint maps = locationOf(program, "u_shadow_maps"); maps >= 0) {
-        const auto unit = static_cast<GLint>(device_.textures.size()); // bind() has the ones before
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        glBindTexture(GL_TEXTURE_2D_ARRAY, shadows_->distances.name());
-        glUniform1i(maps, unit);
-        glActiveTexture(GL_TEXTURE0);
-    }
+    shadows_.bindTo(program, *raster_, device_);
 }
 
 // Every object in the order of their ids, so that of two at one depth the first stays. No side is drawn that
@@ -178,61 +138,50 @@ void RasterRenderer::drawObjects(const Program& program) const
 {
     const auto& objects = raster_->prepared.packed.objects;
     const glm::dvec3 eye(raster_->prepared.packed.camera.eye);
-    const GLint object = locationOf(program, "u_object");
-    const GLint side = locationOf(program, "u_side");
     glEnable(GL_CULL_FACE);
     for (std::size_t id = 0; id < objects.size(); ++id) {
         if (!seen_[id])
             continue;
-        glUniform1i(object, static_cast<GLint>(id));
+        const MeshBuffer& mesh = meshes_.at(objects[id].kind);
+        glUniform1i(locationOf(program, "u_object"), static_cast<GLint>(id));
+        const auto drawSide = [&](GLenum culled, GLfloat side) {
+            glCullFace(culled);
+            glUniform1f(locationOf(program, "u_side"), side);
+            dioptre::draw(mesh);
+        };
         const SeenSides sides = sidesSeenFrom(objects[id], eye);
-        if (sides.outer) {
-            glCullFace(GL_BACK);
-            glUniform1f(side, 1.0F);
-            dioptre::draw(meshOf(id));
-        }
-        if (sides.inner) {
-            glCullFace(GL_FRONT);
-            glUniform1f(side, -1.0F);
-            dioptre::draw(meshOf(id));
-        }
+        if (sides.outer)
+            drawSide(GL_BACK, 1.0F);
+        if (sides.inner)
+            drawSide(GL_FRONT, -1.0F);
     }
     glDisable(GL_CULL_FACE);
 }
 
-void RasterRenderer::drawShadowMaps()
+// Behind all that was drawn: at the largest depth.
+void RasterRenderer::drawSky(const PixelRectangle& cell, int sample)
 {
-    if (!caster_ || shadowsDrawn_)
+    glDepthRange(1.0, 1.0);
+    glDepthFunc(GL_LEQUAL);
+    glViewport(0, 0, sample_->width, sample_->height);
+    use(sky_, cell, sample);
+    glBindVertexArray(noVertices_.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDepthRange(0.0, 1.0);
+}
+
+// A little nearer than the facets themselves.
+void RasterRenderer::drawWires(const PixelRectangle& cell, int sample)
+{
+    if (!wires_ || !wire_)
         return;
-    glBindFramebuffer(GL_FRAMEBUFFER, shadows_->framebuffer.name());
-    glViewport(0, 0, shadows_->side, shadows_->side);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glEnable(GL_DEPTH_CLAMP);
-    use(*caster_, {}, 0);
-    const auto& packed = raster_->prepared.packed;
-    for (std::size_t light = 0; light < raster_->shadows.lights.size(); ++light) {
-        const auto& views = raster_->shadows.lights[light];
-        const auto glowing = static_cast<int>(packed.lights[light].diffuse.w);
-        for (int layer = views.first; layer < views.first + views.count; ++layer) {
-            glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, shadows_->distances.name(), 0,
-                                      layer);
-            const std::array<GLfloat, 4> farAway{1e30F, 0.0F, 0.0F, 0.0F};
-            const GLfloat deepest = 1.0F;
-            glClearBufferfv(GL_COLOR, 0, farAway.data());
-            glClearBufferfv(GL_DEPTH, 0, &deepest);
-            glUniform1i(locationOf(*caster_, "u_shadow_view"), layer);
-            for (std::size_t id = 0; id < packed.objects.size(); ++id) {
-                if (!raster_->casts[id] || static_cast<int>(id) == glowing)
-                    continue;
-                glUniform1i(locationOf(*caster_, "u_object"), static_cast<GLint>(id));
-                dioptre::draw(meshOf(id));
-            }
-        }
-    }
-    glDisable(GL_DEPTH_CLAMP);
-    glDisable(GL_DEPTH_TEST);
-    shadowsDrawn_ = true;
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    glEnable(GL_POLYGON_OFFSET_LINE);
+    glPolygonOffset(-1.0F, -1.0F);
+    use(*wire_, cell, sample);
+    drawObjects(*wire_);
+    glDisable(GL_POLYGON_OFFSET_LINE);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
 
 // One sample of what of the cell lies in the area, into the lower left of the sample's target.
@@ -244,33 +193,33 @@ void RasterRenderer::drawSample(const PixelRectangle& cell, int sample, const Pi
     if (!sample_ || sample_->width < width || sample_->height < height)
         sample_ = makeSampleTarget(std::max(width, sample_ ? sample_->width : 0),
                                    std::max(height, sample_ ? sample_->height : 0));
-    drawShadowMaps();
+    shadows_.draw(*raster_, device_, meshes_);
     glBindFramebuffer(GL_FRAMEBUFFER, sample_->framebuffer.name());
-    glViewport(-cell.x, -cell.y, view_.width, view_.height);
     glEnable(GL_SCISSOR_TEST);
     glScissor(wanted.x - cell.x, wanted.y - cell.y, wanted.width, wanted.height);
-    const std::array<GLfloat, 4> black{};
     const GLfloat deepest = 1.0F;
-    glClearBufferfv(GL_COLOR, 0, black.data());
-    glClearBufferfv(GL_DEPTH, 0, &deepest);
+    glClearBufferfv(GL_DEPTH, 0, &deepest); // the sky covers every other pixel
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glEnable(GL_DEPTH_CLAMP);
+    glViewport(-cell.x, -cell.y, view_.width, view_.height);
     if (surface_) {
         use(*surface_, cell, sample);
         drawObjects(*surface_);
+        drawWires(cell, sample);
     }
-    // The full-screen triangle lies at depth 0 of -1..1: the sky is drawn behind everything.
-    glDepthRange(1.0, 1.0);
-    glDepthFunc(GL_LEQUAL);
-    glViewport(0, 0, sample_->width, sample_->height);
-    use(sky_, cell, sample);
-    glBindVertexArray(noVertices_.name());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glDepthRange(0.0, 1.0);
+    drawSky(cell, sample);
     glDisable(GL_DEPTH_CLAMP);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_SCISSOR_TEST);
+}
+
+// One at a time: a sample is a picture of its own.
+void RasterRenderer::dealSamples()
+{
+    batches_.clear();
+    for (int i = 0; i < view_.samples; ++i)
+        batches_.push_back({i, 1});
 }
 
 void RasterRenderer::drawBatches(std::span<const SampleBatch> batches, const PixelRectangle& area)
@@ -313,15 +262,13 @@ DrawingFacts RasterRenderer::facts() const
     for (std::size_t id = 0; id < seen_.size(); ++id) {
         raster.drawn += seen_[id] ? 1 : 0;
         raster.culled += seen_[id] ? 0 : 1;
-        raster.triangles += seen_[id] ? meshOf(id).count / 3 : 0;
+        raster.triangles += seen_[id] ? meshes_.at(raster_->prepared.packed.objects[id].kind).count / 3 : 0;
     }
-    if (shadows_) {
-        raster.shadowMaps = shadows_->layers;
-        raster.shadowMap_px = shadows_->side;
+    if (const ShadowMaps* maps = shadows_.maps()) {
+        raster.shadowMaps = maps->layers;
+        raster.shadowMap_px = maps->side;
         facts.textures.emplace_back("u_shadow_maps");
-        facts.textureBytes += 4UL * static_cast<std::size_t>(shadows_->layers) *
-                              static_cast<std::size_t>(shadows_->side) *
-                              static_cast<std::size_t>(shadows_->side);
+        facts.textureBytes += bytesOf(*maps);
     }
     facts.raster = raster;
     return facts;

@@ -5,10 +5,10 @@
 #include "raster/mesh_buffer.h"
 #include "raster/raster_text.h"
 #include "raster/sample_target.h"
+#include "raster/shadow_pass.h"
 #include "render/device_scene.h"
 #include "render/drawing.h"
 
-#include <map>
 #include <optional>
 
 namespace dioptre
@@ -36,14 +36,11 @@ public:
     // Of all its programs.
     std::vector<RasterText> texts() const
     {
-        return {texts_.surface, texts_.sky, texts_.caster};
+        return {texts_.surface, texts_.sky, texts_.caster, texts_.wire, texts_.add};
     }
 
-    // Facets' edges over the picture; off at first.
-    void showWires(bool on)
-    {
-        wires_ = on;
-    }
+    // Facets' edges over the picture; off at first. Throws badInput where their shader does not compile.
+    void showWires(bool on);
 
 protected:
     void drawBatches(std::span<const SampleBatch> batches, const PixelRectangle& area) override;
@@ -51,27 +48,26 @@ protected:
 
 private:
     void build();
-    void makeMeshes();
-    void makeShadows();
-    void see();
-    void drawShadowMaps();
+    void placeObjects();
+    void dealSamples();
     void drawSample(const PixelRectangle& cell, int sample, const PixelRectangle& area);
+    void drawSky(const PixelRectangle& cell, int sample);
+    void drawWires(const PixelRectangle& cell, int sample);
     void drawObjects(const Program& program) const;
     void use(const Program& program, const PixelRectangle& cell, int sample) const;
-    const MeshBuffer& meshOf(std::size_t object) const;
 
     const RasterScene* raster_;
     ViewSettings view_;
     RasterTexts texts_;
     std::vector<SampleBatch> batches_;
-    std::optional<Program> surface_, caster_;
+    std::optional<Program> surface_; // none of an empty scene
+    std::optional<Program> wire_;    // once it was asked for
     Program sky_, add_;
     DeviceScene device_;
-    std::map<int, MeshBuffer> meshes_; // by kind
-    VertexArray noVertices_;           // of the full-screen triangle
+    MeshBuffers meshes_;
+    VertexArray noVertices_; // of the full-screen triangle
     std::optional<SampleTarget> sample_;
-    std::optional<ShadowMaps> shadows_;
-    bool shadowsDrawn_ = false;
+    ShadowPass shadows_;
     std::vector<bool> seen_; // by object
     bool wires_ = false;
 };

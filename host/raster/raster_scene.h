@@ -23,12 +23,6 @@ RasterScene prepareRaster(const Scene& scene, const ViewSettings& view, const Me
 // The same scene at another time, as moveTo() of a PreparedScene.
 void moveTo(RasterScene& raster, const Scene& scene, const ViewSettings& view);
 
-// Whether planes are drawn to infinity: where pixels are lit. Facets and vertices need places to be lit at.
-inline bool hasEndlessPlanes(const Method& method)
-{
-    return method.shading == Shading::phong;
-}
-
 // Side of the square about a plane's point that is tessellated where the plane does not say: eight times as
 // far as the eye or the farthest object's farthest place is from it.
 double usualPatch_m(const Scene& scene, const Plane& plane);

@@ -215,6 +215,12 @@ RasterTexts rasterTexts(const RasterScene& raster, const std::filesystem::path& 
     const bool lit = has(raster, "HAS_LIGHTS");
     RasterTexts texts;
     texts.sky = {{}, assemble("sky.frag"), fedToSky(plan)};
+    texts.add = {{}, assemble("add.frag"), {"u_sample", "u_sample_origin_px"}};
+    if (plan.has("objects"))
+        texts.wire = {
+            assemble("wire.vert"),
+            assemble("wire.frag"),
+            {"CameraBlock", "ShapeBlock", "u_object", "u_resolution", "u_sample_first", "u_near_m"}};
     if (plan.has("objects"))
         texts.surface = {assemble("surface.vert", isLitBefore(raster) ? vertexLights(raster) : ""),
                          assemble("surface.frag", !lit                  ? ""

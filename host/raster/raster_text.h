@@ -21,6 +21,8 @@ struct RasterTexts {
     RasterText surface; // of the objects
     RasterText sky;     // behind them
     RasterText caster;  // of shadow maps; empty where there are none
+    RasterText wire;    // of the facets' edges; empty without objects
+    RasterText add;     // of samples to their sums
 };
 
 // Throws badInput or inputMissing for faults in glsl/.

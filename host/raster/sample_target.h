@@ -3,6 +3,8 @@
 
 #include "gl/object.h"
 
+#include <cstddef>
+
 namespace dioptre
 {
 
@@ -26,6 +28,13 @@ struct ShadowMaps {
     Texture depth;     // for the test of a layer at a time
     Framebuffer framebuffer;
 };
+inline std::size_t bytesOf(const ShadowMaps& maps)
+{
+    return sizeof(float) * static_cast<std::size_t>(maps.side) * static_cast<std::size_t>(maps.side) *
+           static_cast<std::size_t>(maps.layers);
+}
+
+// Throws badInput for more than a gibibyte, retry without memory, noOpenGl where they cannot be drawn into.
 ShadowMaps makeShadowMaps(int side, int layers);
 
 } // namespace dioptre

@@ -1,0 +1,19 @@
+// Of the facets' edges.
+
+#include "shared/constants.glsl"
+#include "shared/structs.glsl"
+#include "kernel/ray.glsl"
+#include "trace/uniforms.glsl"
+#include "raster/uniforms.glsl"
+#include "trace/path.glsl"
+#include "trace/camera.glsl"
+#include "trace/scene_table.glsl"
+#include "raster/unit_shape.glsl"
+#include "raster/project.glsl"
+
+layout(location = 0) in vec4 a_place; // on the unit shape
+
+void main()
+{
+    gl_Position = clipFromScene(placeInScene(a_place, kindOf(u_object), shapeOf(u_object)));
+}

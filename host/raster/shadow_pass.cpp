@@ -1,0 +1,98 @@
+#include "raster/shadow_pass.h"
+
+#include "render/build.h"
+
+#include <algorithm>
+#include <array>
+
+namespace dioptre
+{
+namespace
+{
+
+constexpr const char* blockName = "ShadowBlock";
+
+std::vector<float> numbersOf(const std::vector<packed::ShadowView>& views)
+{
+    std::vector<float> values;
+    const auto* numbers = reinterpret_cast<const double*>(views.data());
+    std::transform(numbers, numbers + views.size() * sizeof(packed::ShadowView) / sizeof(double),
+                   std::back_inserter(values), [](double number) { return static_cast<float>(number); });
+    return values;
+}
+
+} // namespace
+
+ShadowPass::ShadowPass(const RasterScene& raster, const RasterText& text)
+    : maps_(makeShadowMaps(raster.prepared.scene.raster.shadowMap_px,
+                           static_cast<int>(raster.shadows.views.size()))),
+      caster_(buildProgram(text.fragment, text.vertex))
+{
+    checkInterface(caster_, text.fed);
+}
+
+void ShadowPass::update(const RasterScene& raster, DeviceScene& device)
+{
+    drawn_ = false;
+    if (!maps_)
+        return;
+    const std::vector<float> values = numbersOf(raster.shadows.views);
+    std::erase_if(device.blocks, [](const BoundBlock& block) { return block.block == blockName; });
+    device.blocks.push_back({blockName, uploadUniformBuffer(values), values.size() * sizeof(float)});
+}
+
+void ShadowPass::draw(const RasterScene& raster, const DeviceScene& device, const MeshBuffers& meshes)
+{
+    if (!maps_ || drawn_)
+        return;
+    glBindFramebuffer(GL_FRAMEBUFFER, maps_->framebuffer.name());
+    glViewport(0, 0, maps_->side, maps_->side);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glEnable(GL_DEPTH_CLAMP);
+    const auto& packed = raster.prepared.packed;
+    bind(caster_, device, packed, {maps_->side, maps_->side}, {0, 0});
+    for (std::size_t light = 0; light < raster.shadows.lights.size(); ++light) {
+        const auto& views = raster.shadows.lights[light];
+        for (int layer = views.first; layer < views.first + views.count; ++layer)
+            drawLayer(layer, static_cast<int>(packed.lights[light].diffuse.w), raster, meshes);
+    }
+    glDisable(GL_DEPTH_CLAMP);
+    glDisable(GL_DEPTH_TEST);
+    drawn_ = true;
+}
+
+void ShadowPass::drawLayer(int layer, int glowing, const RasterScene& raster, const MeshBuffers& meshes) const
+{
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, maps_->distances.name(), 0, layer);
+    const std::array<GLfloat, 4> farAway{static_cast<GLfloat>(packed::FAR_AWAY), 0.0F, 0.0F, 0.0F};
+    const GLfloat deepest = 1.0F;
+    glClearBufferfv(GL_COLOR, 0, farAway.data());
+    glClearBufferfv(GL_DEPTH, 0, &deepest);
+    glUniform1i(locationOf(caster_, "u_shadow_view"), layer);
+    const auto& objects = raster.prepared.packed.objects;
+    for (std::size_t id = 0; id < objects.size(); ++id) {
+        if (!raster.casts[id] || static_cast<int>(id) == glowing) // a lamp does not shadow itself
+            continue;
+        glUniform1i(locationOf(caster_, "u_object"), static_cast<GLint>(id));
+        dioptre::draw(meshes.at(objects[id].kind));
+    }
+}
+
+void ShadowPass::bindTo(const Program& program, const RasterScene& raster, const DeviceScene& device) const
+{
+    if (!maps_)
+        return;
+    glUniform1f(locationOf(program, "u_shadow_bias"),
+                static_cast<GLfloat>(raster.prepared.scene.raster.shadowBias));
+    const GLint sampler = locationOf(program, "u_shadow_maps");
+    if (sampler < 0)
+        return;
+    const auto unit = static_cast<GLint>(device.textures.size());
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D_ARRAY, maps_->distances.name());
+    glUniform1i(sampler, unit);
+    glActiveTexture(GL_TEXTURE0);
+}
+
+} // namespace dioptre

@@ -1,0 +1,45 @@
+// The shadow maps of a scene on the device, drawn when something has moved.
+#pragma once
+
+#include "raster/mesh_buffer.h"
+#include "raster/raster_text.h"
+#include "raster/sample_target.h"
+#include "render/device_scene.h"
+
+#include <optional>
+
+namespace dioptre
+{
+
+class ShadowPass
+{
+public:
+    // Of a scene that has none it does nothing.
+    ShadowPass() = default;
+    // Throws badInput where the maps are too many or too large, and where `text` does not compile.
+    ShadowPass(const RasterScene& raster, const RasterText& text);
+
+    // Takes the views of the scene, which has moved, to `device`: its maps are drawn anew.
+    void update(const RasterScene& raster, DeviceScene& device);
+
+    // Draws the maps where they are not as the scene is. Leaves another framebuffer bound.
+    void draw(const RasterScene& raster, const DeviceScene& device, const MeshBuffers& meshes);
+
+    // Hands the maps to a program that is current, on the texture unit after those of bind().
+    void bindTo(const Program& program, const RasterScene& raster, const DeviceScene& device) const;
+
+    // The maps; null where there are none.
+    const ShadowMaps* maps() const
+    {
+        return maps_ ? &*maps_ : nullptr;
+    }
+
+private:
+    void drawLayer(int layer, int glowing, const RasterScene& raster, const MeshBuffers& meshes) const;
+
+    std::optional<ShadowMaps> maps_;
+    Program caster_;
+    bool drawn_ = false;
+};
+
+} // namespace dioptre
