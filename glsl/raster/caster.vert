@@ -5,7 +5,7 @@
 #include "trace/uniforms.glsl"
 #include "raster/shadow_view.glsl"
 #include "raster/uniforms.glsl"
-#include "trace/scene_table.glsl"
+#include "raster/object.glsl"
 #include "raster/unit_shape.glsl"
 
 layout(location = 0) in vec4 a_place; // on the unit shape
@@ -14,7 +14,7 @@ out vec4 v_place; // scene frame, homogeneous
 
 void main()
 {
-    v_place = placeInScene(a_place, kindOf(u_object), shapeOf(u_object));
+    v_place = placeInScene(a_place, drawnKind(), drawnShape());
     ShadowView view = u_shadow_views[u_shadow_view];
     vec3 offset = v_place.xyz - v_place.w * view.eye.xyz;
     float ahead = dot(offset, view.forward.xyz);

@@ -18,9 +18,9 @@ Surface coloured(Surface surface, vec3 colour)
 Lit litBy(Light light, Incidence incidence, int glowing, Surface surface, Material material, Ray ray)
 {
     Lit lit;
-    lit.shine = lightReflected(light, incidence, glowing, coloured(surface, vec3(0.0)), material, ray, u_object, false);
+    lit.shine = lightReflected(light, incidence, glowing, coloured(surface, vec3(0.0)), material, ray, 0, false);
     lit.matt =
-        lightReflected(light, incidence, glowing, coloured(surface, vec3(1.0)), material, ray, u_object, false) - lit.shine;
+        lightReflected(light, incidence, glowing, coloured(surface, vec3(1.0)), material, ray, 0, false) - lit.shine;
     return lit;
 }
 #endif

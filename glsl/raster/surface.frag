@@ -53,9 +53,9 @@ out vec4 o_sample;
 
 void main()
 {
-    int kind = kindOf(u_object);
-    Shape shape = shapeOf(u_object);
-    Material material = materialOf(u_object);
+    int kind = drawnKind();
+    Shape shape = drawnShape();
+    Material material = drawnMaterial();
     vec3 position = v_place.xyz / v_place.w;
     vec3 fromEye = position - u_camera.eye.xyz;
     float away_m = length(fromEye);

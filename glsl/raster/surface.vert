@@ -55,8 +55,8 @@ out vec3 v_ambient;
 
 void main()
 {
-    int kind = kindOf(u_object);
-    Shape shape = shapeOf(u_object);
+    int kind = drawnKind();
+    Shape shape = drawnShape();
     v_place = placeInScene(a_place, kind, shape);
     v_outward = normalInScene(a_normal, kind, shape);
 #ifdef HAS_FACETS

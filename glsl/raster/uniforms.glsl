@@ -1,6 +1,5 @@
 // What the host feeds the rasterised methods, besides what trace/uniforms.glsl has.
 
-uniform int u_object;        // which one is drawn
 uniform float u_side;        // 1: its outer or front side is drawn; -1: the other
 uniform float u_near_m;      // no surface is nearer to the eye
 uniform int u_shadow_view;   // whose map is drawn

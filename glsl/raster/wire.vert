@@ -7,7 +7,7 @@
 #include "raster/uniforms.glsl"
 #include "trace/path.glsl"
 #include "trace/camera.glsl"
-#include "trace/scene_table.glsl"
+#include "raster/object.glsl"
 #include "raster/unit_shape.glsl"
 #include "raster/project.glsl"
 
@@ -15,5 +15,5 @@ layout(location = 0) in vec4 a_place; // on the unit shape
 
 void main()
 {
-    gl_Position = clipFromScene(placeInScene(a_place, kindOf(u_object), shapeOf(u_object)));
+    gl_Position = clipFromScene(placeInScene(a_place, drawnKind(), drawnShape()));
 }

@@ -26,7 +26,7 @@ struct DifferenceLabels {
 };
 
 // Pixels of width from which columns go on below, in rows of like length; a single column may be wider.
-inline constexpr int widestSheet = 8000;
+inline constexpr int widestSheet = 4000;
 
 // The heading, then columns of one width: title, picture, lines, difference. Pictures keep their pixels, and
 // the text's size follows the widest of them. A column is as wide as the widest picture or, where that is

@@ -32,7 +32,7 @@ Rounds roundsOf(const BenchOptions& options, std::size_t inputs)
 }
 
 // Of the frame that was drawn last, 0 for a plain shader, of which nobody knows; it is checked on the way.
-double raysPerPixel(const BenchDrawing& drawn, const std::string& name)
+double raysPerPixel(const MethodDrawing& drawn, const std::string& name)
 {
     Picture picture = drawn.drawing->read();
     const auto pixels = static_cast<double>(picture.floats.size()) / 4.0;
@@ -52,7 +52,7 @@ void timeFrames(const std::vector<BenchInput>& inputs, const BenchOptions& optio
     const auto context = makeContext(options.backend);
     const ClockKind kind = clockFor(context->info());
     const Rounds rounds = roundsOf(options, inputs.size());
-    std::vector<BenchDrawing> made;
+    std::vector<MethodDrawing> made;
     std::vector<Drawing*> drawings;
     for (const auto& input : inputs) {
         made.push_back(drawingOf(input, view, context->info()));
@@ -79,6 +79,9 @@ void refuseBadOptions(const BenchOptions& options, const std::vector<BenchInput>
     for (const auto& input : inputs)
         if (!input.plainShader)
             sceneOf(input); // its faults are told before anything is measured
+    if (options.python && isRasterised(inputs.front().method))
+        fail(ExitCode::usage, inputs.front().name + " is rasterised, and --python traces scenes",
+             "put a traced scene first, or leave --python out");
     if (options.python && inputs.front().plainShader)
         fail(ExitCode::usage, inputs.front().name + " is a plain shader, and --python traces scenes",
              "put a scene first, or leave --python out");
@@ -90,7 +93,7 @@ ExitCode bench(const BenchOptions& options)
 {
     std::vector<BenchInput> inputs;
     for (const auto& text : options.inputs)
-        inputs.push_back(readBenchInput(text, searchPlaces(options.included)));
+        inputs.push_back(readBenchInput(text, searchPlaces(options.included), options.method));
     if (options.coldStart)
         return startCold(inputs.front(), options);
     refuseBadOptions(options, inputs);

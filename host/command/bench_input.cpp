@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "command/input.h"
 #include "command/plain_options.h"
-#include "render/renderer.h"
+#include "render/plain.h"
 #include "scene/load.h"
 #include "scene/override.h"
 
@@ -48,16 +48,39 @@ std::size_t partingAt(const std::string& text)
 
 } // namespace
 
-BenchInput readBenchInput(const std::string& text, const SearchPlaces& places)
+namespace
+{
+
+// Takes "method=NAME" out of the overrides; the last one counts.
+std::string takeMethod(std::vector<std::string>& overrides, const std::string& method)
+{
+    const std::string key = "method=";
+    std::string found = method;
+    for (const auto& change : overrides)
+        if (change.starts_with(key))
+            found = change.substr(key.size());
+    std::erase_if(overrides, [&](const std::string& change) { return change.starts_with(key); });
+    return found;
+}
+
+} // namespace
+
+BenchInput readBenchInput(const std::string& text, const SearchPlaces& places, const std::string& method)
 {
     const std::size_t parting = partingAt(text);
     const Input input = findInput(text.substr(0, parting));
-    if (parting == text.size())
-        return {text, input.path, {}, input.plainShader, places};
+    BenchInput read{text, input.path, {}, input.plainShader, {}, places};
     if (parting + 1 == text.size())
         fail(ExitCode::usage, text + " has nothing behind its @",
              "write path=value there, as in still_life@trace.form=loop, or leave the @ out");
-    return {text, input.path, splitOverrides(text.substr(parting + 1)), input.plainShader, places};
+    if (parting < text.size())
+        read.overrides = splitOverrides(text.substr(parting + 1));
+    if (!read.plainShader)
+        read.method = methodNamed(takeMethod(read.overrides, method));
+    else if (method != "trace")
+        fail(ExitCode::usage, text + " is a plain shader, and --method is for scenes",
+             "write the method behind the scenes that it is for, as in still_life@method=phong:64");
+    return read;
 }
 
 Scene sceneOf(const BenchInput& input)
@@ -69,18 +92,15 @@ Scene sceneOf(const BenchInput& input)
     }
 }
 
-BenchDrawing drawingOf(const BenchInput& input, const ViewSettings& view, const ContextInfo& context)
+MethodDrawing drawingOf(const BenchInput& input, const ViewSettings& view, const ContextInfo& context)
 {
-    BenchDrawing made;
-    if (input.plainShader) {
-        PlainSettings plain;
-        plain.values = plainValues(input.overrides);
-        plain.included = input.places.included;
-        made.drawing = std::make_unique<PlainRenderer>(input.file, view, plain, context);
-    } else {
-        made.prepared = std::make_unique<PreparedScene>(prepare(sceneOf(input), view));
-        made.drawing = std::make_unique<Renderer>(*made.prepared, view, context);
-    }
+    if (!input.plainShader)
+        return methodDrawing(sceneOf(input), view, input.method, context);
+    MethodDrawing made;
+    PlainSettings plain;
+    plain.values = plainValues(input.overrides);
+    plain.included = input.places.included;
+    made.drawing = std::make_unique<PlainRenderer>(input.file, view, plain, context);
     return made;
 }
 

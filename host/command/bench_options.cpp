@@ -1,6 +1,7 @@
 #include "command/bench_options.h"
 
 #include "command/include_option.h"
+#include "command/method_option.h"
 #include "command/size_option.h"
 #include "gl/context.h"
 
@@ -14,7 +15,8 @@ void addBench(CLI::App& app, BenchOptions& options)
     auto* command = app.add_subcommand("bench", "time scenes against each other, in turn");
     command
         ->add_option("inputs", options.inputs,
-                     "scenes, each with changes behind an @, as still_life@trace.form=loop,trace.budget=4")
+                     "scenes, each with changes behind an @, as still_life@trace.form=loop,trace.budget=4; "
+                     "method=METHOD among them draws it by another method")
         ->required()
         ->type_name("SCENE[@PATH=VALUE,…]");
     command
@@ -37,6 +39,7 @@ void addBench(CLI::App& app, BenchOptions& options)
                      "processes a input that compile and draw first without the driver's disk cache")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
+    addMethod(*command, options.method);
     addInclude(*command, options.included);
     command->add_option("--backend", options.backend, "where to draw")
         ->check(CLI::IsMember(backendNames()))
@@ -59,6 +62,9 @@ ReloadBenchOptions reloadOptions(const BenchOptions& options)
 {
     if (options.inputs.size() != 1)
         fail(ExitCode::usage, "--reload edits one scene", "name one");
+    if (options.method != "trace")
+        fail(ExitCode::usage, "--reload measures edits of a traced scene, and --method asks for another way",
+             "leave it out");
     if (options.samples || options.frames > 0 || options.python)
         fail(ExitCode::usage, "--spp, --frames and --python are for frames, and --reload measures edits",
              "leave them out");

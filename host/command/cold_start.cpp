@@ -57,6 +57,8 @@ void startOnce(const BenchInput& input, const BenchOptions& options, BenchRow& r
                                      std::to_string(options.samples.value_or(1)),
                                      "--backend",
                                      options.backend};
+    if (!input.plainShader)
+        command.insert(command.end(), {"--method", nameOf(input.method)});
     for (const auto& folder : options.included)
         command.insert(command.end(), {"--include", folder});
     command.insert(command.end(), {"--", input.name});
@@ -81,7 +83,7 @@ ExitCode startCold(const BenchInput& input, const BenchOptions& options)
     if (input.plainShader)
         startVariablesAtZero();
     const auto context = makeContext(options.backend);
-    const BenchDrawing made = drawingOf(input, view, context->info());
+    const MethodDrawing made = drawingOf(input, view, context->info());
     made.drawing->draw(); // for the peak memory
     const nlohmann::json json = {{"compile_ms", made.drawing->times().compile},
                                  {"first_draw_ms", made.drawing->times().firstDraw}};

@@ -96,6 +96,7 @@ struct BenchOptions {
     std::vector<std::string> included; // folders that scenes and shaders may take files from
     int frames = 0;                    // of each input; 0: as many as a time allows, up to 30
     int coldStarts = 5;                // of each input, each in a process of its own
+    std::string method = "trace";      // of scenes that name no other
     std::string backend = "auto";
     bool reload = false; // measure edits in a window instead
     int edits = 30;      // of each kind, then

@@ -6,10 +6,10 @@
 #include "command/include_option.h"
 #include "command/join.h"
 #include "command/live_options.h"
+#include "command/method_option.h"
 #include "command/size_option.h"
 #include "command/stability.h"
 #include "gl/context.h"
-#include "raster/method.h"
 #include "render/data_view.h"
 #include "render/layers.h"
 #include "scene/choices.h"
@@ -118,16 +118,6 @@ void addPlain(CLI::App& command, RenderOptions& options)
     command
         .add_option("--mouse", options.mouse, "the pointer of a plain shader, in pixels from the lower left")
         ->type_name("X,Y[,down]");
-}
-
-void addMethod(CLI::App& command, std::string& method)
-{
-    command
-        .add_option("--method", method,
-                    fmt::format("how a scene is drawn; N facets along each side of a shape, {} to {}:{}",
-                                leastFacets, mostFacets, meaningsOf(shadings)))
-        ->type_name("METHOD[:N]")
-        ->capture_default_str();
 }
 
 void addRender(CLI::App& app, RenderOptions& options, std::string& size)

@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "base/interruption.h"
 #include "command/compare_input.h"
+#include "command/compare_methods.h"
 #include "command/compare_result.h"
 #include "command/difference_picture.h"
 #include "command/progress.h"
@@ -72,10 +73,32 @@ CompareResult measured(const CompareOptions& options, const ComparedPictures& co
     return result;
 }
 
+// What goes with --methods alone, and what it cannot do without.
+void refuseOrphans(const CompareOptions& options)
+{
+    if (options.picture.empty())
+        fail(ExitCode::usage, "there is nothing to compare " + options.reference + " with",
+             "name a second picture, or --methods for a scene, as in --methods trace,phong:64");
+    const CompareOptions usual;
+    const bool drawn = options.width != usual.width || options.height != usual.height ||
+                       options.samples != usual.samples || options.time_s != usual.time_s ||
+                       !options.overrides.empty() || !options.included.empty() ||
+                       options.backend != usual.backend || options.wipe || options.difference;
+    if (drawn)
+        fail(
+            ExitCode::usage,
+            "--size, --spp, --time, --set, --include, --backend, --wipe and --difference are of a scene that "
+            "is drawn, and two pictures are named",
+            "leave them out, or name one scene and --methods");
+}
+
 } // namespace
 
 ExitCode compare(const CompareOptions& options)
 {
+    if (comparesMethods(options))
+        return compareMethods(options);
+    refuseOrphans(options);
     Stopwatch whole;
     refuseBadDifference(options); // before anything is read
     const ComparedPictures compared = readCompared(options);

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "command/json_text.h"
+#include "command/raster_json.h"
 #include "render/prune.h"
 
 #include <fmt/format.h>
@@ -68,15 +69,6 @@ nlohmann::ordered_json viewJson(const std::string& name, const ViewLegend& legen
         json["objects"].push_back(
             {{"colour", object.colour}, {"id", object.id}, {"name", object.name}, {"kind", object.kind}});
     return json;
-}
-
-nlohmann::ordered_json rasterJson(const RasterFacts& raster)
-{
-    return {{"objects_drawn", raster.drawn},
-            {"objects_culled", raster.culled},
-            {"triangles", raster.triangles},
-            {"shadow_maps", raster.shadowMaps},
-            {"shadow_map_px", raster.shadowMap_px}};
 }
 
 } // namespace

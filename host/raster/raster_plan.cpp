@@ -44,6 +44,7 @@ public:
     RasterPlanner(const PreparedScene& prepared, const Method& method)
         : scene_(typicalOf(prepared.scene)), method_(method), plan_(prepared.plan)
     {
+        plan_.readsMaterials = false; // each object brings its own
         std::erase_if(plan_.features, [](const Feature& f) { return rowsOfRays().contains(f.name); });
         lights_ = plan_.placedLights.size() + plan_.glowing.size();
     }
@@ -55,6 +56,7 @@ public:
         lighting();
         mirrors();
         planes();
+        asObjects();
         plan_.defines.clear();
         for (const auto& feature : plan_.features)
             if (feature.in)
@@ -127,6 +129,14 @@ private:
             : in("refraction") ? "raster.interfaces is 1"
                                : "no material transmits light",
             {"HAS_TWO_INTERFACES"});
+    }
+
+    // Objects are drawn one at a time, and none asks for another.
+    void asObjects()
+    {
+        for (auto& feature : plan_.features)
+            if (feature.name == "geometry table")
+                feature = {feature.name, false, "objects are drawn one at a time", {}};
     }
 
     void planes()

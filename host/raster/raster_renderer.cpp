@@ -97,6 +97,7 @@ void RasterRenderer::build()
 
 void RasterRenderer::placeObjects()
 {
+    objectNumbers_ = uploadObjects(raster_->prepared.packed);
     shadows_.update(*raster_, device_);
     seen_ = seenBy(raster_->prepared.packed, view_.width, view_.height, hasEndlessPlanes(raster_->method));
 }
@@ -129,6 +130,7 @@ void RasterRenderer::use(const Program& program, const PixelRectangle& cell, int
     bind(program, device_, raster_->prepared.packed, {view_.width, view_.height}, {cell.x, cell.y});
     glUniform1i(locationOf(program, "u_sample_first"), sample);
     glUniform1f(locationOf(program, "u_near_m"), static_cast<GLfloat>(raster_->near_m));
+    attachObjects(program);
     shadows_.bindTo(program, *raster_, device_);
 }
 
@@ -143,7 +145,7 @@ void RasterRenderer::drawObjects(const Program& program) const
         if (!seen_[id])
             continue;
         const MeshBuffer& mesh = meshes_.at(objects[id].kind);
-        glUniform1i(locationOf(program, "u_object"), static_cast<GLint>(id));
+        showObject(objectNumbers_, id);
         const auto drawSide = [&](GLenum culled, GLfloat side) {
             glCullFace(culled);
             glUniform1f(locationOf(program, "u_side"), side);
@@ -193,7 +195,7 @@ void RasterRenderer::drawSample(const PixelRectangle& cell, int sample, const Pi
     if (!sample_ || sample_->width < width || sample_->height < height)
         sample_ = makeSampleTarget(std::max(width, sample_ ? sample_->width : 0),
                                    std::max(height, sample_ ? sample_->height : 0));
-    shadows_.draw(*raster_, device_, meshes_);
+    shadows_.draw(*raster_, device_, objectNumbers_, meshes_);
     glBindFramebuffer(GL_FRAMEBUFFER, sample_->framebuffer.name());
     glEnable(GL_SCISSOR_TEST);
     glScissor(wanted.x - cell.x, wanted.y - cell.y, wanted.width, wanted.height);

@@ -3,6 +3,7 @@
 
 #include "gl/context.h"
 #include "raster/mesh_buffer.h"
+#include "raster/object_buffer.h"
 #include "raster/raster_text.h"
 #include "raster/sample_target.h"
 #include "raster/shadow_pass.h"
@@ -65,6 +66,7 @@ private:
     Program sky_, add_;
     DeviceScene device_;
     MeshBuffers meshes_;
+    ObjectBuffer objectNumbers_;
     VertexArray noVertices_; // of the full-screen triangle
     std::optional<SampleTarget> sample_;
     ShadowPass shadows_;

@@ -65,7 +65,7 @@ std::string vertexLights(const RasterScene& raster)
     std::string text =
         "// What each light sends to the eye from there.\n"
         "void lightVertex(vec3 position, vec3 normal)\n{\n"
-        "    Material material = materialOf(u_object);\n"
+        "    Material material = drawnMaterial();\n"
         "    Surface surface;\n    surface.position = position;\n    surface.normal = normal;\n"
         "    surface.colour = vec3(1.0);\n"
         "    Ray ray;\n    ray.origin = u_camera.eye.xyz;\n"
@@ -131,7 +131,7 @@ std::string litHereText(const RasterScene& raster)
             text +=
                 fmt::format("    {}.strength *= {};\n", light.incidence,
                             shadowText(light, raster.shadows.lights[static_cast<std::size_t>(light.index)]));
-        text += fmt::format("    radiance += lightReflected({}, {}, {}, surface, material, ray, u_object, "
+        text += fmt::format("    radiance += lightReflected({}, {}, {}, surface, material, ray, 0, "
                             "u_side < 0.0);\n",
                             light.light, light.incidence, light.glowing);
     }
@@ -153,7 +153,7 @@ public:
         input.search.folders = {folder_};
         input.features = plan.defines;
         input.generated["generated/scene.glsl"] = linesOf(
-            (plan.has("picture") ? picturesText(plan, packed) : "") + "#include \"trace/scene_table.glsl\"\n",
+            (plan.has("picture") ? picturesText(plan, packed) : "") + "#include \"raster/object.glsl\"\n",
             "generated");
         input.generated["generated/lights.glsl"] = linesOf(lights, "generated");
         SourceText body =
@@ -173,8 +173,8 @@ private:
 std::vector<std::string> fedToSurface(const RasterScene& raster)
 {
     const Plan& plan = raster.prepared.plan;
-    std::vector<std::string> fed = {"CameraBlock",    "ShapeBlock", "u_object",     "u_resolution",
-                                    "u_sample_first", "u_near_m",   "MaterialBlock"};
+    std::vector<std::string> fed = {"CameraBlock", "ObjectBlock", "u_resolution", "u_sample_first",
+                                    "u_near_m"};
     const bool lit = has(raster, "HAS_LIGHTS");
     const bool mirrors = has(raster, "HAS_MIRROR_RAY");
     // Whatever a mirror under a plain sky shows is the same.
@@ -217,10 +217,9 @@ RasterTexts rasterTexts(const RasterScene& raster, const std::filesystem::path& 
     texts.sky = {{}, assemble("sky.frag"), fedToSky(plan)};
     texts.add = {{}, assemble("add.frag"), {"u_sample", "u_sample_origin_px"}};
     if (plan.has("objects"))
-        texts.wire = {
-            assemble("wire.vert"),
-            assemble("wire.frag"),
-            {"CameraBlock", "ShapeBlock", "u_object", "u_resolution", "u_sample_first", "u_near_m"}};
+        texts.wire = {assemble("wire.vert"),
+                      assemble("wire.frag"),
+                      {"CameraBlock", "ObjectBlock", "u_resolution", "u_sample_first", "u_near_m"}};
     if (plan.has("objects"))
         texts.surface = {assemble("surface.vert", isLitBefore(raster) ? vertexLights(raster) : ""),
                          assemble("surface.frag", !lit                  ? ""
@@ -230,7 +229,7 @@ RasterTexts rasterTexts(const RasterScene& raster, const std::filesystem::path& 
     if (castsShadows(plan))
         texts.caster = {assemble("caster.vert"),
                         assemble("caster.frag"),
-                        {"ShapeBlock", "ShadowBlock", "u_object", "u_shadow_view"}};
+                        {"ObjectBlock", "ShadowBlock", "u_shadow_view"}};
     return texts;
 }
 

@@ -41,7 +41,8 @@ void ShadowPass::update(const RasterScene& raster, DeviceScene& device)
     device.blocks.push_back({blockName, uploadUniformBuffer(values), values.size() * sizeof(float)});
 }
 
-void ShadowPass::draw(const RasterScene& raster, const DeviceScene& device, const MeshBuffers& meshes)
+void ShadowPass::draw(const RasterScene& raster, const DeviceScene& device, const ObjectBuffer& objects,
+                      const MeshBuffers& meshes)
 {
     if (!maps_ || drawn_)
         return;
@@ -52,17 +53,19 @@ void ShadowPass::draw(const RasterScene& raster, const DeviceScene& device, cons
     glEnable(GL_DEPTH_CLAMP);
     const auto& packed = raster.prepared.packed;
     bind(caster_, device, packed, {maps_->side, maps_->side}, {0, 0});
+    attachObjects(caster_);
     for (std::size_t light = 0; light < raster.shadows.lights.size(); ++light) {
         const auto& views = raster.shadows.lights[light];
         for (int layer = views.first; layer < views.first + views.count; ++layer)
-            drawLayer(layer, static_cast<int>(packed.lights[light].diffuse.w), raster, meshes);
+            drawLayer(layer, static_cast<int>(packed.lights[light].diffuse.w), raster, objects, meshes);
     }
     glDisable(GL_DEPTH_CLAMP);
     glDisable(GL_DEPTH_TEST);
     drawn_ = true;
 }
 
-void ShadowPass::drawLayer(int layer, int glowing, const RasterScene& raster, const MeshBuffers& meshes) const
+void ShadowPass::drawLayer(int layer, int glowing, const RasterScene& raster, const ObjectBuffer& numbers,
+                           const MeshBuffers& meshes) const
 {
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, maps_->distances.name(), 0, layer);
     const std::array<GLfloat, 4> farAway{static_cast<GLfloat>(packed::FAR_AWAY), 0.0F, 0.0F, 0.0F};
@@ -74,7 +77,7 @@ void ShadowPass::drawLayer(int layer, int glowing, const RasterScene& raster, co
     for (std::size_t id = 0; id < objects.size(); ++id) {
         if (!raster.casts[id] || static_cast<int>(id) == glowing) // a lamp does not shadow itself
             continue;
-        glUniform1i(locationOf(caster_, "u_object"), static_cast<GLint>(id));
+        showObject(numbers, id);
         dioptre::draw(meshes.at(objects[id].kind));
     }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "raster/mesh_buffer.h"
+#include "raster/object_buffer.h"
 #include "raster/raster_text.h"
 #include "raster/sample_target.h"
 #include "render/device_scene.h"
@@ -23,7 +24,8 @@ public:
     void update(const RasterScene& raster, DeviceScene& device);
 
     // Draws the maps where they are not as the scene is. Leaves another framebuffer bound.
-    void draw(const RasterScene& raster, const DeviceScene& device, const MeshBuffers& meshes);
+    void draw(const RasterScene& raster, const DeviceScene& device, const ObjectBuffer& objects,
+              const MeshBuffers& meshes);
 
     // Hands the maps to a program that is current, on the texture unit after those of bind().
     void bindTo(const Program& program, const RasterScene& raster, const DeviceScene& device) const;
@@ -35,7 +37,8 @@ public:
     }
 
 private:
-    void drawLayer(int layer, int glowing, const RasterScene& raster, const MeshBuffers& meshes) const;
+    void drawLayer(int layer, int glowing, const RasterScene& raster, const ObjectBuffer& objects,
+                   const MeshBuffers& meshes) const;
 
     std::optional<ShadowMaps> maps_;
     Program caster_;

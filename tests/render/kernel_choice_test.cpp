@@ -72,7 +72,7 @@ dvec3 onSurface(const Primitive& primitive, Places& places)
 const std::vector<Primitive> shapes = {Sphere{{0.2, 0.1, -0.3}, 1.1},
                                        Cylinder{{0.1, -0.5, 0.2}, {0.0, 1.2, 0.0}, 0.8, false},
                                        Cylinder{{0.1, -0.5, 0.2}, {0.0, 1.2, 0.0}, 0.8, true},
-                                       Plane{{0.3, 0.2, 0.1}, {0.0, 2.0, 0.0}},
+                                       Plane{{0.3, 0.2, 0.1}, {0.0, 2.0, 0.0}, {}},
                                        Disk{{0.1, 0.2, -0.1}, {0.0, -3.0, 0.0}, 1.3},
                                        Rectangle{{-0.6, -0.3, 0.2}, {1.4, 0.2, 0.1}, {0.3, 0.9, -0.5}},
                                        Triangle{{-0.6, -0.3, 0.2}, {1.0, 0.4, 0.3}, {-0.2, 0.9, -0.6}}};
