@@ -191,8 +191,8 @@ void addDoctor(CLI::App& app, DoctorOptions& options)
 
 void addList(CLI::App& app, ListOptions& options)
 {
-    auto* command =
-        app.add_subcommand("list", "name the scenes, tree orders, forms, views, layers, curves and backends");
+    auto* command = app.add_subcommand(
+        "list", "name the scenes, methods, tree orders, forms, views, layers, curves and more");
     command->add_flag("--json", options.json, "print them as JSON");
 }
 

@@ -4,6 +4,7 @@
 #include "command/input.h"
 #include "command/json_text.h"
 #include "gl/context.h"
+#include "raster/method.h"
 #include "render/data_view.h"
 #include "render/layers.h"
 #include "scene/choices.h"
@@ -79,11 +80,13 @@ std::vector<Listing> listings()
 {
     return {{"scenes", scenes()},
             {"shaders", shaders()},
+            {"methods", namesIn(shadings)},
             {"orders", namesIn(treeOrders)},
             {"forms", namesIn(sceneForms)},
             {"views", rowsOf(dataViews(), &DataViewRow::shows)},
             {"layers", rowsOf(layerRows(), &LayerRow::holds)},
             {"curves", namesIn(toneCurves)},
+            {"shadow_filters", namesIn(shadowFilters)},
             {"backends", namesIn(backendChoices())}};
 }
 

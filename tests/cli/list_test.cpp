@@ -53,8 +53,10 @@ TEST(ListCommand, Scenes_AreTheGallerysWithTitleAndObjectCount)
 TEST(ListCommand, OrdersFormsAndCurves_AreTheWordsThatTheLoaderTakes)
 {
     const auto json = listed();
-    for (const auto& [section, key] :
-         {std::pair{"orders", "trace.order"}, {"forms", "trace.form"}, {"curves", "output.curve"}}) {
+    for (const auto& [section, key] : {std::pair{"orders", "trace.order"},
+                                       {"forms", "trace.form"},
+                                       {"curves", "output.curve"},
+                                       {"shadow_filters", "raster.shadow_filter"}}) {
         const auto names = namesOf(json[section]);
         EXPECT_GE(names.size(), 2U);
         const auto refusal =

@@ -47,7 +47,7 @@ const std::vector<Case> compareCases = {
      "dioptre compare a.png b.png -o no/d.png",
      73,
      {"there is no folder no"}},
-    {"OnePicture", twoPictures, "dioptre compare a.png", 2, {"picture is required"}},
+    {"OnePicture", twoPictures, "dioptre compare a.png", 2, {"name a second picture"}},
     {"ExposureOfPngs",
      twoPictures,
      "dioptre compare a.png b.png --exposure 1",
