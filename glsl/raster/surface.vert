@@ -18,6 +18,7 @@
 #include "trace/light.glsl"
 #include "raster/lit_vertex.glsl"
 #include "raster/unit_shape.glsl"
+#include "raster/cell.glsl"
 #include "raster/project.glsl"
 
 layout(location = 0) in vec4 a_place;  // on the unit shape

@@ -9,6 +9,7 @@
 #include "trace/camera.glsl"
 #include "raster/object.glsl"
 #include "raster/unit_shape.glsl"
+#include "raster/cell.glsl"
 #include "raster/project.glsl"
 
 layout(location = 0) in vec4 a_place; // on the unit shape

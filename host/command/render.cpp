@@ -80,7 +80,8 @@ const Plan* planOf(const PictureDrawer& drawer, const DrawingFacts& facts)
                                                                               : &whole;
 }
 
-// The fullest shader as `path`; those of lesser parts of the picture beside it, as "NAME-1.frag" and so on.
+// The fullest shader as `path`; beside it those of lesser parts of the picture, as "NAME-1.frag" and so on,
+// and of what is rasterised the vertices', as "NAME.vert".
 void writeShaders(const std::filesystem::path& path, const DrawingFacts& facts)
 {
     for (std::size_t i = 0; i + 1 < facts.parts.size(); ++i) {
@@ -89,6 +90,11 @@ void writeShaders(const std::filesystem::path& path, const DrawingFacts& facts)
         writeFile(beside, shaderText(&facts.parts[i], facts.parts[i].shader));
         fmt::print(stderr, "{}: the shader where the picture shows {}\n", beside.string(),
                    facts.parts[i].name);
+    }
+    if (!facts.vertexShader.empty()) {
+        const auto beside = std::filesystem::path(path).replace_extension(".vert");
+        writeFile(beside, flatten(facts.vertexShader));
+        fmt::print(stderr, "{}: the vertices' shader\n", beside.string());
     }
     writeFile(path, shaderText(facts.parts.empty() ? nullptr : &facts.parts.back(), facts.shader));
 }

@@ -16,17 +16,15 @@ namespace dioptre
 namespace
 {
 
-// Pictures are rasterised in cells of a fixed grid, so that a tile's pixels are rounded as the whole
-// picture's are.
-constexpr int cellSide_px = 2048;
+#include "../glsl/raster/cell.glsl"
 
-// Those that meet the area, whole.
-std::vector<PixelRectangle> cellsOf(const PixelRectangle& area)
+// Those of the picture that meet the area, whole.
+std::vector<PixelRectangle> cellsOf(const PixelRectangle& area, const PixelRectangle& picture)
 {
     std::vector<PixelRectangle> cells;
-    for (int y = area.y / cellSide_px * cellSide_px; y < area.y + area.height; y += cellSide_px)
-        for (int x = area.x / cellSide_px * cellSide_px; x < area.x + area.width; x += cellSide_px)
-            cells.push_back({x, y, cellSide_px, cellSide_px});
+    for (int y = area.y / CELL_PX * CELL_PX; y < area.y + area.height; y += CELL_PX)
+        for (int x = area.x / CELL_PX * CELL_PX; x < area.x + area.width; x += CELL_PX)
+            cells.push_back(common({x, y, CELL_PX, CELL_PX}, picture));
     return cells;
 }
 
@@ -80,7 +78,7 @@ RasterRenderer::RasterRenderer(const RasterScene& raster, const ViewSettings& vi
     placeObjects();
     times_.compile = watch.lap_ms();
     const PixelRectangle first{0, 0, 1, 1};
-    drawSample(cellsOf(first).front(), 0, first);
+    drawSample(cellsOf(first, {0, 0, view.width, view.height}).front(), 0, first);
     waitForFirst();
     times_.firstDraw = watch.lap_ms();
 }
@@ -204,7 +202,7 @@ void RasterRenderer::drawSample(const PixelRectangle& cell, int sample, const Pi
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glEnable(GL_DEPTH_CLAMP);
-    glViewport(-cell.x, -cell.y, view_.width, view_.height);
+    glViewport(0, 0, cell.width, cell.height);
     if (surface_) {
         use(*surface_, cell, sample);
         drawObjects(*surface_);
@@ -227,7 +225,7 @@ void RasterRenderer::dealSamples()
 void RasterRenderer::drawBatches(std::span<const SampleBatch> batches, const PixelRectangle& area)
 {
     const PixelRectangle shown = common(area, region_);
-    for (const PixelRectangle& cell : cellsOf(shown))
+    for (const PixelRectangle& cell : cellsOf(shown, {0, 0, view_.width, view_.height}))
         for (const auto& batch : batches)
             for (int sample = batch.first; sample < batch.first + batch.count; ++sample) {
                 drawSample(cell, sample, shown);
@@ -254,6 +252,7 @@ DrawingFacts RasterRenderer::facts() const
 {
     DrawingFacts facts;
     facts.shader = texts_.surface.fragment.empty() ? texts_.sky.fragment : texts_.surface.fragment;
+    facts.vertexShader = texts_.surface.vertex;
     const Program& program = surface_ ? *surface_ : sky_;
     facts.uniforms = keysOf(program.uniforms);
     facts.blocks = keysOf(program.uniformBlocks);

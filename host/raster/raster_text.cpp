@@ -173,8 +173,8 @@ private:
 std::vector<std::string> fedToSurface(const RasterScene& raster)
 {
     const Plan& plan = raster.prepared.plan;
-    std::vector<std::string> fed = {"CameraBlock", "ObjectBlock", "u_resolution", "u_sample_first",
-                                    "u_near_m"};
+    std::vector<std::string> fed = {"CameraBlock",    "ObjectBlock",      "u_resolution",
+                                    "u_sample_first", "u_tile_origin_px", "u_near_m"};
     const bool lit = has(raster, "HAS_LIGHTS");
     const bool mirrors = has(raster, "HAS_MIRROR_RAY");
     // Whatever a mirror under a plain sky shows is the same.
@@ -217,9 +217,10 @@ RasterTexts rasterTexts(const RasterScene& raster, const std::filesystem::path& 
     texts.sky = {{}, assemble("sky.frag"), fedToSky(plan)};
     texts.add = {{}, assemble("add.frag"), {"u_sample", "u_sample_origin_px"}};
     if (plan.has("objects"))
-        texts.wire = {assemble("wire.vert"),
-                      assemble("wire.frag"),
-                      {"CameraBlock", "ObjectBlock", "u_resolution", "u_sample_first", "u_near_m"}};
+        texts.wire = {
+            assemble("wire.vert"),
+            assemble("wire.frag"),
+            {"CameraBlock", "ObjectBlock", "u_resolution", "u_tile_origin_px", "u_sample_first", "u_near_m"}};
     if (plan.has("objects"))
         texts.surface = {assemble("surface.vert", isLitBefore(raster) ? vertexLights(raster) : ""),
                          assemble("surface.frag", !lit                  ? ""

@@ -50,6 +50,7 @@ struct RasterFacts {
 // What draws, for reports.
 struct DrawingFacts {
     SourceText shader;            // of the fullest part; empty where there is no device
+    SourceText vertexShader{};    // of what is rasterised; else empty
     std::vector<DrawnPart> parts; // the fullest last; empty where no device drew a scene
     std::size_t textureBytes = 0;
     std::vector<std::string> textures; // sampler uniforms in use

@@ -1,4 +1,5 @@
 // --method of render and bench, and `dioptre compare --methods`.
+#include "base/file.h"
 #include "base/picture.h"
 #include "support/in_a_folder.h"
 
@@ -68,6 +69,14 @@ TEST_F(Methods, WhatTheEyeDoesNotSee_IsCulledAndCounted)
               all["objects_drawn"]);
     EXPECT_GT(away["objects_culled"], 10);
     EXPECT_LT(away["triangles"], all["triangles"]);
+}
+
+TEST_F(Methods, BothStagesOfTheShaderAreWritten)
+{
+    const auto outcome = render("shadings --method gouraud:8 --size 16x9 --spp 1 -o a.png --shader s.frag");
+    ASSERT_EQ(outcome.code, 0) << outcome.error;
+    EXPECT_NE(readFile(folder / "s.vert").find("lightVertex("), std::string::npos);
+    EXPECT_NE(readFile(folder / "s.frag").find("v_matt[0] * surface.colour"), std::string::npos);
 }
 
 TEST_F(Methods, WhyTellsThePatchOfAPlane)
