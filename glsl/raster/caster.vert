@@ -20,6 +20,5 @@ void main()
     float ahead = dot(offset, view.forward.xyz);
     bool perspective = view.eye.w > 0.5;
     vec2 clip = vec2(dot(offset, view.right.xyz), dot(offset, view.up.xyz));
-    float depth = perspective ? ahead - 2.0 * view.forward.w * v_place.w : ahead * view.forward.w;
-    gl_Position = vec4(clip, depth, perspective ? ahead : v_place.w);
+    gl_Position = vec4(clip, 0.0, perspective ? ahead : v_place.w);
 }

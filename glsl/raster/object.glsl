@@ -4,7 +4,7 @@ layout(std140) uniform ObjectBlock
 {
     Shape u_shape;
     Material u_material;
-    vec4 u_kind; // x
+    vec4 u_kind; // x; y: its place among the planes that shade, -1 for none
 };
 
 Shape drawnShape()
@@ -15,6 +15,11 @@ Shape drawnShape()
 int drawnKind()
 {
     return int(u_kind.x);
+}
+
+int drawnPlane()
+{
+    return int(u_kind.y);
 }
 
 Material drawnMaterial()

@@ -1,5 +1,5 @@
 // From places in the scene to the cell of the picture that is drawn, in the same view as eyePath()'s: a sample's offset moves
-// the whole picture, and no far plane cuts it. u_tile_origin_px is the cell's lower left corner.
+// the whole picture. No plane cuts it, near or far: depth is nearness(). u_tile_origin_px is the cell's lower left corner.
 vec4 clipFromScene(vec4 place)
 {
     vec3 offset = place.xyz - place.w * u_camera.eye.xyz;
@@ -11,5 +11,5 @@ vec4 clipFromScene(vec4 place)
     vec2 twice_px = view * u_resolution.y + ahead * (u_resolution - 2.0 * (sampleOffset(u_sample_first) + u_tile_origin_px));
     // At the picture's right and upper edges a cell ends with it.
     vec2 cell_px = min(vec2(float(CELL_PX)), u_resolution - u_tile_origin_px);
-    return vec4(twice_px / cell_px - ahead, ahead - 2.0 * u_near_m * place.w, ahead);
+    return vec4(twice_px / cell_px - ahead, 0.0, ahead);
 }

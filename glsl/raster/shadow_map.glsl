@@ -32,6 +32,22 @@ float reaches(int layer, ivec2 texel, float depth)
     return depth <= texelFetch(u_shadow_maps, ivec3(clamp(texel, ivec2(0), last), layer), 0).x ? 1.0 : 0.0;
 }
 
+#ifdef HAS_SHADING_PLANES
+// 0 where an endless plane, which no map can hold, parts a place from a light, else 1. `light`: its place, or of w = 0 the
+// direction to it. A plane does not shade itself.
+float passesPlanes(vec3 position, vec4 light)
+{
+    float passes = 1.0;
+    for (int i = 0; i < SHADING_PLANE_COUNT; ++i) {
+        vec4 plane = u_shading_planes[i];
+        float here = dot(plane.xyz, position) - plane.w;
+        float there = dot(plane.xyz, light.xyz) - plane.w * light.w;
+        passes = here * there < 0.0 && i != drawnPlane() ? 0.0 : passes;
+    }
+    return passes;
+}
+#endif
+
 // The share of a light that reaches a place, by the map of its view. A texel stands for all that it covers, over which a
 // surface that leans away from the light by an angle a gets deeper by its width times tan a: so much is forgiven, times
 // u_shadow_bias, and what rounding takes from the depth. `normal` is that of the surface as it is tessellated.

@@ -15,5 +15,9 @@ out vec4 o_sample;
 void main()
 {
     Path eye = eyePath(gl_FragCoord.xy + u_tile_origin_px + sampleOffset(u_sample_first));
-    o_sample = vec4(skyRadiance(eye.ray.direction), 0.0);
+    vec3 radiance = skyRadiance(eye.ray.direction);
+#ifdef HAS_EYE_MEDIUM
+    radiance *= exp(-u_eye_absorption * FAR_AWAY);
+#endif
+    o_sample = vec4(radiance, 0.0);
 }

@@ -18,6 +18,7 @@
 #include "trace/surface.glsl"
 #include "trace/light.glsl"
 #include "trace/sky.glsl"
+#include "raster/nearness.glsl"
 #include "raster/surroundings.glsl"
 #ifdef HAS_SHADOW_MAPS
 #include "raster/shadow_map.glsl"
@@ -81,7 +82,7 @@ void main()
 #ifdef HAS_LIGHTS
 #ifdef HAS_SHADOW_MAPS
     // The facet's own normal: that of the shape as it is meant leans otherwise.
-    vec3 facing = normalize(cross(dFdx(position), dFdy(position)));
+    vec3 facing = normalize(cross(normalize(dFdx(position)), normalize(dFdy(position))));
     radiance += lightsReflected(surface, material, ray, facing);
 #else
     radiance += lightsReflected(surface, material, ray);
@@ -94,5 +95,9 @@ void main()
 #ifdef HAS_EMISSION
     radiance += material.emission.xyz;
 #endif
+#ifdef HAS_EYE_MEDIUM
+    radiance *= exp(-u_eye_absorption * away_m);
+#endif
+    gl_FragDepth = nearness(u_near_m, v_place.w);
     o_sample = vec4(radiance, 0.0);
 }

@@ -14,7 +14,7 @@ float transmitted(Material material)
 // What is seen of the sky through a surface, by the direction that light is bent into where it comes in.
 //
 // By two interfaces: a round solid's far side stands to the light within as its near side does, so that its outward normal
-// there is the near one mirrored; a flat shape's far side is parallel, and sends light on as it came. Both are right where the
+// there is the near one mirrored; a flat shape's far side is parallel, and sends light on as it came, and so do caps. Both are right where the
 // solid stands alone and is a sphere or a slab.
 vec3 seenThrough(vec3 direction, vec3 normal, float c, int kind, Shape shape, Material material)
 {
@@ -24,7 +24,8 @@ vec3 seenThrough(vec3 direction, vec3 normal, float c, int kind, Shape shape, Ma
     vec3 within = refractedDirection(direction, normal, c, eta, m);
 #ifdef HAS_TWO_INTERFACES
     if (entering && kind != KIND_PLANE) {
-        if (kind >= KIND_PLANE)
+        bool cap = kind == KIND_CAPPED_CYLINDER && abs(dot(normal, shape.axis.xyz)) > 0.7;
+        if (kind >= KIND_PLANE || cap)
             return skyRadiance(direction);
         vec3 across = kind == KIND_SPHERE ? within : within - dot(within, shape.axis.xyz) * shape.axis.xyz;
         float chord = -2.0 * dot(normal, across) / max(dot(across, across), 1.0e-12);

@@ -14,7 +14,10 @@
 
 layout(location = 0) in vec4 a_place; // on the unit shape
 
+out vec4 v_place; // scene frame, homogeneous
+
 void main()
 {
-    gl_Position = clipFromScene(placeInScene(a_place, drawnKind(), drawnShape()));
+    v_place = placeInScene(a_place, drawnKind(), drawnShape());
+    gl_Position = clipFromScene(v_place);
 }

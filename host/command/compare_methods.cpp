@@ -57,6 +57,14 @@ void refuseBadMethods(const CompareOptions& options, std::size_t methods)
     if (options.wipe && !(*options.wipe >= 0.0 && *options.wipe <= 1.0))
         fail(ExitCode::usage, fmt::format("--wipe {} is no share of the picture", *options.wipe),
              "give a number from 0 to 1");
+    if (options.pixelsPerDegree != usualPixelsPerDegree)
+        fail(ExitCode::usage, "--ppd is of FLIP, which --methods does not measure", "leave it out");
+    if (options.exposure && !(std::abs(*options.exposure) <= 100.0))
+        fail(ExitCode::usage, fmt::format("--exposure {} is out of reach", *options.exposure),
+             "give a number of stops from -100 to 100");
+    if (!(std::abs(options.time_s) <= static_cast<double>(std::numeric_limits<float>::max())))
+        fail(ExitCode::usage, fmt::format("--time {} is no moment", options.time_s),
+             "give a number of seconds that a 32-bit float can hold");
     if (options.output.empty() && (options.wipe || options.difference))
         fail(ExitCode::usage, "--wipe and --difference draw a picture, and no file is named for it",
              "name one with -o FILE.png");
@@ -76,14 +84,13 @@ Display displayOf(const CompareOptions& options, const Scene& scene)
     return display;
 }
 
-// The largest difference of a channel, of every pixel; that of one that is not finite is as large as can be.
+// The largest difference of a channel, of every pixel; 0 where it is not finite, which is told apart.
 std::vector<float> differencesOf(const PicturePair& pair)
 {
     std::vector<float> differences;
     for (std::size_t i = 0; i < pair.judged.size(); ++i) {
         const glm::vec3 d = glm::abs(pair.picture[i] - pair.reference[i]);
-        differences.push_back(pair.judged[i] != 0 ? std::max({d.r, d.g, d.b})
-                                                  : std::numeric_limits<float>::max());
+        differences.push_back(pair.judged[i] != 0 ? std::max({d.r, d.g, d.b}) : 0.0F);
     }
     return differences;
 }
@@ -106,7 +113,8 @@ double scaleOf(const std::vector<MethodRow>& rows)
         const auto at =
             sorted.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sorted.size()));
         std::nth_element(sorted.begin(), at, sorted.end());
-        most = std::max(most, static_cast<double>(*at));
+        const auto largest = row.linear.max / 20.0; // of what few pixels show
+        most = std::max({most, static_cast<double>(*at), largest});
     }
     if (most <= 0.0)
         return 1.0;

@@ -24,7 +24,7 @@ constexpr std::size_t bytesOfAnObject =
 
 } // namespace
 
-ObjectBuffer uploadObjects(const PackedScene& scene)
+ObjectBuffer uploadObjects(const PackedScene& scene, const std::vector<int>& planeOf)
 {
     GLint alignment = 1;
     glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
@@ -32,10 +32,11 @@ ObjectBuffer uploadObjects(const PackedScene& scene)
     ObjectBuffer objects;
     objects.stride = (bytesOfAnObject + step - 1) / step * step;
     std::vector<float> values;
-    for (const auto& object : scene.objects) {
+    for (std::size_t id = 0; id < scene.objects.size(); ++id) {
+        const auto& object = scene.objects[id];
         append(values, object.shape);
         append(values, scene.materials[static_cast<std::size_t>(object.material)]);
-        append(values, packed::vec4(object.kind, 0.0, 0.0, 0.0));
+        append(values, packed::vec4(object.kind, id < planeOf.size() ? planeOf[id] : -1, 0.0, 0.0));
         values.resize((values.size() * sizeof(float) + step - 1) / step * step / sizeof(float));
     }
     objects.buffer = uploadUniformBuffer(values);

@@ -6,6 +6,7 @@
 #include "kernel/packed_scene.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace dioptre
 {
@@ -15,7 +16,8 @@ struct ObjectBuffer {
     Buffer buffer;
     std::size_t stride = 0; // bytes from an object's numbers to the next one's
 };
-ObjectBuffer uploadObjects(const PackedScene& scene);
+// `planeOf` as of ShadowViews.
+ObjectBuffer uploadObjects(const PackedScene& scene, const std::vector<int>& planeOf);
 
 // Has the program, which is current, read the object that showObject() names.
 void attachObjects(const Program& program);

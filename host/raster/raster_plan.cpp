@@ -53,6 +53,7 @@ public:
     {
         add("rasterised", true, fmt::format("--method {}", nameOf(method_)), {});
         shadows();
+        medium();
         lighting();
         mirrors();
         planes();
@@ -94,6 +95,25 @@ private:
             : maps ? "raster.shadow_filter is nearest"
                    : "there is no shadow map",
             {"HAS_SHADOW_FILTER"});
+    }
+
+    // What an eye within a medium loses on the way.
+    void medium()
+    {
+        const auto& inside = scene_.camera.inside;
+        const bool absorbs = inside && scene_.materials[*inside].absorption != glm::dvec3(0.0);
+        add("absorption before the eye", absorbs,
+            absorbs ? "the eye is in " + scene_.materials[*inside].name
+                    : "the eye is in nothing that absorbs",
+            {"HAS_EYE_MEDIUM"});
+        const bool planes =
+            in("shadow maps") && std::ranges::any_of(scene_.objects, [&](const Object& object) {
+                return std::holds_alternative<Plane>(object.primitive) &&
+                       scene_.materials[object.material].shadow == ShadowKind::opaque;
+            });
+        add("shading planes", planes,
+            planes ? "what is behind one is dark: no map holds a plane" : "no plane casts a shadow",
+            {"HAS_SHADING_PLANES"});
     }
 
     // What comes from the vertex stage, and whether it is mixed between the corners.

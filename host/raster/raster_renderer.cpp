@@ -95,7 +95,7 @@ void RasterRenderer::build()
 
 void RasterRenderer::placeObjects()
 {
-    objectNumbers_ = uploadObjects(raster_->prepared.packed);
+    objectNumbers_ = uploadObjects(raster_->prepared.packed, raster_->shadows.planeOf);
     shadows_.update(*raster_, device_);
     seen_ = seenBy(raster_->prepared.packed, view_.width, view_.height, hasEndlessPlanes(raster_->method));
 }
@@ -111,7 +111,7 @@ void RasterRenderer::update(const RasterScene& raster, const ViewSettings& view)
     view_ = view;
     resize(targetWidth(view), targetHeight(view));
     dealSamples();
-    std::erase_if(device_.blocks, [](const BoundBlock& block) { return block.block == "ShadowBlock"; });
+    shadows_.release(device_);
     uploadNumbers(device_, raster.prepared.packed);
     placeObjects();
 }
@@ -128,6 +128,8 @@ void RasterRenderer::use(const Program& program, const PixelRectangle& cell, int
     bind(program, device_, raster_->prepared.packed, {view_.width, view_.height}, {cell.x, cell.y});
     glUniform1i(locationOf(program, "u_sample_first"), sample);
     glUniform1f(locationOf(program, "u_near_m"), static_cast<GLfloat>(raster_->near_m));
+    const glm::vec3 absorption(raster_->eyeAbsorption);
+    glUniform3f(locationOf(program, "u_eye_absorption"), absorption.x, absorption.y, absorption.z);
     attachObjects(program);
     shadows_.bindTo(program, *raster_, device_);
 }
@@ -158,11 +160,11 @@ void RasterRenderer::drawObjects(const Program& program) const
     glDisable(GL_CULL_FACE);
 }
 
-// Behind all that was drawn: at the largest depth.
+// Behind all that was drawn: at the depth that was cleared to.
 void RasterRenderer::drawSky(const PixelRectangle& cell, int sample)
 {
-    glDepthRange(1.0, 1.0);
-    glDepthFunc(GL_LEQUAL);
+    glDepthRange(0.0, 0.0);
+    glDepthFunc(GL_GEQUAL);
     glViewport(0, 0, sample_->width, sample_->height);
     use(sky_, cell, sample);
     glBindVertexArray(noVertices_.name());
@@ -170,17 +172,13 @@ void RasterRenderer::drawSky(const PixelRectangle& cell, int sample)
     glDepthRange(0.0, 1.0);
 }
 
-// A little nearer than the facets themselves.
 void RasterRenderer::drawWires(const PixelRectangle& cell, int sample)
 {
     if (!wires_ || !wire_)
         return;
     glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-    glEnable(GL_POLYGON_OFFSET_LINE);
-    glPolygonOffset(-1.0F, -1.0F);
     use(*wire_, cell, sample);
     drawObjects(*wire_);
-    glDisable(GL_POLYGON_OFFSET_LINE);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
 
@@ -197,11 +195,10 @@ void RasterRenderer::drawSample(const PixelRectangle& cell, int sample, const Pi
     glBindFramebuffer(GL_FRAMEBUFFER, sample_->framebuffer.name());
     glEnable(GL_SCISSOR_TEST);
     glScissor(wanted.x - cell.x, wanted.y - cell.y, wanted.width, wanted.height);
-    const GLfloat deepest = 1.0F;
-    glClearBufferfv(GL_DEPTH, 0, &deepest); // the sky covers every other pixel
+    const GLfloat farthest = 0.0F;           // see glsl/raster/nearness.glsl
+    glClearBufferfv(GL_DEPTH, 0, &farthest); // the sky covers every other pixel
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glEnable(GL_DEPTH_CLAMP);
+    glDepthFunc(GL_GREATER);
     glViewport(0, 0, cell.width, cell.height);
     if (surface_) {
         use(*surface_, cell, sample);
@@ -209,7 +206,6 @@ void RasterRenderer::drawSample(const PixelRectangle& cell, int sample, const Pi
         drawWires(cell, sample);
     }
     drawSky(cell, sample);
-    glDisable(GL_DEPTH_CLAMP);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_SCISSOR_TEST);
 }

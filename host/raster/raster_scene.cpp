@@ -42,7 +42,7 @@ double nearOf(const Scene& scene, const PackedScene& packed, const ViewSettings&
     const double right = up * view.width / view.height;
     const double corner = std::sqrt(1.0 + up * up + right * right);
     return std::isfinite(nearest)
-               ? std::max(0.5 * nearest / corner, 1e-5 * glm::length(scene.camera.target - scene.camera.eye))
+               ? std::max(0.5 * nearest / corner, 1e-12 * glm::length(scene.camera.target - scene.camera.eye))
                : 1.0;
 }
 
@@ -62,13 +62,15 @@ void derive(RasterScene& raster, const ViewSettings& view)
 {
     const Scene& scene = raster.prepared.scene;
     setPatches(raster);
+    const auto& inside = scene.camera.inside;
+    raster.eyeAbsorption = inside ? scene.materials[*inside].absorption : glm::dvec3(0.0);
     raster.near_m = nearOf(scene, raster.prepared.packed, view);
     raster.casts.clear();
     for (const auto& object : scene.objects)
         raster.casts.push_back(scene.materials[object.material].shadow == ShadowKind::opaque);
     raster.shadows = {};
     if (castsShadows(raster.prepared.plan))
-        raster.shadows = shadowViews(raster.prepared.packed, raster.casts);
+        raster.shadows = shadowViews(raster.prepared.packed, raster.casts, raster.allAround);
 }
 
 } // namespace
@@ -101,6 +103,7 @@ RasterScene prepareRaster(const Scene& scene, const ViewSettings& view, const Me
     light.view = DataView::none;
     raster.prepared = prepare(asTable(scene), light, pictures);
     raster.prepared.plan = rasterPlan(raster.prepared, method);
+    raster.allAround = shineAllAround(raster.prepared.packed, raster.prepared.scene.animated);
     derive(raster, view);
     return raster;
 }

@@ -10,10 +10,12 @@ namespace dioptre
 
 struct RasterScene {
     Method method;
-    PreparedScene prepared;  // its plan's features are those of the rasterised method
-    std::vector<bool> casts; // by object, whether it stands in light's way
-    ShadowViews shadows;     // none where no shadow map is wanted
-    double near_m = 0.0;     // no surface is nearer to the eye, along its gaze
+    PreparedScene prepared;        // its plan's features are those of the rasterised method
+    std::vector<bool> casts;       // by object, whether it stands in light's way
+    std::vector<bool> allAround;   // by light, whether its shadow maps are six; the same at every time
+    ShadowViews shadows;           // none where no shadow map is wanted
+    glm::dvec3 eyeAbsorption{0.0}; // per metre, of the medium that the eye is in
+    double near_m = 0.0;           // no surface is nearer to the eye, along its gaze
 };
 
 // `view` as of prepare(); its method of tracing, view and parts play no part. Throws badInput as prepare().

@@ -18,6 +18,7 @@ struct LightName {
     std::string light;     // "u_lights[2]"
     std::string incidence; // "incidence2"
     std::string arrives;   // "pointIncidence(u_lights[2], surface.position)"
+    bool parallel;         // shines from no place
     bool placed;           // has an ambient part of its own
     int glowing;           // the object that glows, -1 for none
 };
@@ -30,10 +31,11 @@ std::vector<LightName> lightNames(const PackedScene& packed)
         const bool glows = i >= packed.firstGlow;
         const char* kind = directional ? "directional" : glows || i < packed.firstSpot ? "point" : "spot";
         const auto light = fmt::format("u_lights[{}]", i);
+        const int glowing = static_cast<int>(packed.lights[static_cast<std::size_t>(i)].diffuse.w);
         names.push_back(
             {i, light, fmt::format("incidence{}", i),
              fmt::format("{}Incidence({}{})", kind, light, directional ? "" : ", surface.position"),
-             !directional && !glows, static_cast<int>(packed.lights[static_cast<std::size_t>(i)].diffuse.w)});
+             directional, !directional && !glows, glowing});
     }
     return names;
 }
@@ -48,12 +50,18 @@ bool isLitBefore(const RasterScene& raster)
     return has(raster, "HAS_LIT_FACETS") || has(raster, "HAS_LIT_VERTICES");
 }
 
-// The share of a light that its map lets through: "seesLight(3, surface.position, facing,
-// incidence1.towards)".
-std::string shadowText(const LightName& light, const LightViews& views)
+// The share of a light that its map and the planes let through.
+std::string shadowText(const RasterScene& raster, const LightName& light)
 {
-    return fmt::format("{}({}, surface.position, facing, {}.towards)",
-                       views.count == 1 ? "seesLight" : "seesLightAllAround", views.first, light.incidence);
+    const auto& views = raster.shadows.lights[static_cast<std::size_t>(light.index)];
+    std::string text =
+        fmt::format("{}({}, surface.position, facing, {}.towards)",
+                    views.count == 1 ? "seesLight" : "seesLightAllAround", views.first, light.incidence);
+    if (has(raster, "HAS_SHADING_PLANES"))
+        text += fmt::format(" * passesPlanes(surface.position, vec4({}, {}))",
+                            light.parallel ? light.incidence + ".towards" : light.light + ".position.xyz",
+                            light.parallel ? "0.0" : "1.0");
+    return text;
 }
 
 // lightVertex(): what the vertex stage hands on of every light.
@@ -108,7 +116,7 @@ std::string litBeforeText(const RasterScene& raster)
         if (castsShadows(raster.prepared.plan)) {
             const auto& light = lights[static_cast<std::size_t>(part)];
             text += fmt::format("    Incidence {} = {};\n", light.incidence, light.arrives);
-            share = shadowText(light, raster.shadows.lights[static_cast<std::size_t>(part)]) + " * ";
+            share = shadowText(raster, light) + " * ";
         }
         text += fmt::format("    radiance += {}(v_matt[{}] * surface.colour{});\n", share, part,
                             fmt::format(fmt::runtime(shine), part));
@@ -128,9 +136,7 @@ std::string litHereText(const RasterScene& raster)
             text += fmt::format("    radiance += ambientReflected({}, {}, surface, material);\n", light.light,
                                 light.incidence);
         if (castsShadows(raster.prepared.plan))
-            text +=
-                fmt::format("    {}.strength *= {};\n", light.incidence,
-                            shadowText(light, raster.shadows.lights[static_cast<std::size_t>(light.index)]));
+            text += fmt::format("    {}.strength *= {};\n", light.incidence, shadowText(raster, light));
         text += fmt::format("    radiance += lightReflected({}, {}, {}, surface, material, ray, 0, "
                             "u_side < 0.0);\n",
                             light.light, light.incidence, light.glowing);
@@ -156,10 +162,12 @@ public:
             (plan.has("picture") ? picturesText(plan, packed) : "") + "#include \"raster/object.glsl\"\n",
             "generated");
         input.generated["generated/lights.glsl"] = linesOf(lights, "generated");
-        SourceText body =
-            linesOf(fmt::format("#define LIT_COUNT {}\n#define SHADOW_VIEW_COUNT {}\n\n", litParts(plan),
-                                std::max<std::size_t>(1, raster_.shadows.views.size())),
-                    "generated");
+        SourceText body = linesOf(
+            fmt::format(
+                "#define LIT_COUNT {}\n#define SHADOW_VIEW_COUNT {}\n#define SHADING_PLANE_COUNT {}\n\n",
+                litParts(plan), std::max<std::size_t>(1, raster_.shadows.views.size()),
+                std::max<std::size_t>(1, raster_.shadows.planes.size())),
+            "generated");
         const SourceText source = readSource(folder_ / "raster" / file);
         body.insert(body.end(), source.begin(), source.end());
         return assembled(plan, packed, body, input);
@@ -191,6 +199,8 @@ std::vector<std::string> fedToSurface(const RasterScene& raster)
     for (const auto& texture : plannedTextures(plan, raster.prepared.packed))
         if (texture != "u_sky_picture" || mirrors)
             fed.push_back(texture);
+    if (has(raster, "HAS_EYE_MEDIUM"))
+        fed.emplace_back("u_eye_absorption");
     if (castsShadows(plan))
         fed.insert(fed.end(), {"ShadowBlock", "u_shadow_maps", "u_shadow_bias"});
     return fed;
@@ -203,6 +213,8 @@ std::vector<std::string> fedToSky(const Plan& plan)
         fed.insert(fed.end(), {"u_resolution", "u_tile_origin_px", "u_sample_first"});
     if (plan.has("sky picture"))
         fed.emplace_back("u_sky_picture");
+    if (plan.defines.contains("HAS_EYE_MEDIUM"))
+        fed.emplace_back("u_eye_absorption");
     return fed;
 }
 

@@ -12,13 +12,12 @@ namespace
 
 constexpr const char* blockName = "ShadowBlock";
 
-std::vector<float> numbersOf(const std::vector<packed::ShadowView>& views)
+template <typename Struct>
+void append(std::vector<float>& values, const std::vector<Struct>& structs)
 {
-    std::vector<float> values;
-    const auto* numbers = reinterpret_cast<const double*>(views.data());
-    std::transform(numbers, numbers + views.size() * sizeof(packed::ShadowView) / sizeof(double),
+    const auto* numbers = reinterpret_cast<const double*>(structs.data());
+    std::transform(numbers, numbers + structs.size() * sizeof(Struct) / sizeof(double),
                    std::back_inserter(values), [](double number) { return static_cast<float>(number); });
-    return values;
 }
 
 } // namespace
@@ -36,9 +35,18 @@ void ShadowPass::update(const RasterScene& raster, DeviceScene& device)
     drawn_ = false;
     if (!maps_)
         return;
-    const std::vector<float> values = numbersOf(raster.shadows.views);
-    std::erase_if(device.blocks, [](const BoundBlock& block) { return block.block == blockName; });
+    std::vector<float> values;
+    append(values, raster.shadows.views);
+    append(values, raster.shadows.planes);
+    if (raster.shadows.planes.empty())
+        values.insert(values.end(), 4, 0.0F); // the block's array has one at least
+    release(device);
     device.blocks.push_back({blockName, uploadUniformBuffer(values), values.size() * sizeof(float)});
+}
+
+void ShadowPass::release(DeviceScene& device)
+{
+    std::erase_if(device.blocks, [](const BoundBlock& block) { return block.block == blockName; });
 }
 
 void ShadowPass::draw(const RasterScene& raster, const DeviceScene& device, const ObjectBuffer& objects,
@@ -49,33 +57,31 @@ void ShadowPass::draw(const RasterScene& raster, const DeviceScene& device, cons
     glBindFramebuffer(GL_FRAMEBUFFER, maps_->framebuffer.name());
     glViewport(0, 0, maps_->side, maps_->side);
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glEnable(GL_DEPTH_CLAMP);
+    glDepthFunc(GL_GREATER);
     const auto& packed = raster.prepared.packed;
     bind(caster_, device, packed, {maps_->side, maps_->side}, {0, 0});
     attachObjects(caster_);
     for (std::size_t light = 0; light < raster.shadows.lights.size(); ++light) {
         const auto& views = raster.shadows.lights[light];
         for (int layer = views.first; layer < views.first + views.count; ++layer)
-            drawLayer(layer, static_cast<int>(packed.lights[light].diffuse.w), raster, objects, meshes);
+            drawLayer(layer, views.casts, raster, objects, meshes);
     }
-    glDisable(GL_DEPTH_CLAMP);
     glDisable(GL_DEPTH_TEST);
     drawn_ = true;
 }
 
-void ShadowPass::drawLayer(int layer, int glowing, const RasterScene& raster, const ObjectBuffer& numbers,
-                           const MeshBuffers& meshes) const
+void ShadowPass::drawLayer(int layer, const std::vector<bool>& casting, const RasterScene& raster,
+                           const ObjectBuffer& numbers, const MeshBuffers& meshes) const
 {
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, maps_->distances.name(), 0, layer);
     const std::array<GLfloat, 4> farAway{static_cast<GLfloat>(packed::FAR_AWAY), 0.0F, 0.0F, 0.0F};
-    const GLfloat deepest = 1.0F;
+    const GLfloat deepest = 0.0F; // see glsl/raster/nearness.glsl
     glClearBufferfv(GL_COLOR, 0, farAway.data());
     glClearBufferfv(GL_DEPTH, 0, &deepest);
     glUniform1i(locationOf(caster_, "u_shadow_view"), layer);
     const auto& objects = raster.prepared.packed.objects;
     for (std::size_t id = 0; id < objects.size(); ++id) {
-        if (!raster.casts[id] || static_cast<int>(id) == glowing) // a lamp does not shadow itself
+        if (!casting[id])
             continue;
         showObject(numbers, id);
         dioptre::draw(meshes.at(objects[id].kind));

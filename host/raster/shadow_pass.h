@@ -23,6 +23,9 @@ public:
     // Takes the views of the scene, which has moved, to `device`: its maps are drawn anew.
     void update(const RasterScene& raster, DeviceScene& device);
 
+    // Takes away what update() added to `device`.
+    static void release(DeviceScene& device);
+
     // Draws the maps where they are not as the scene is. Leaves another framebuffer bound.
     void draw(const RasterScene& raster, const DeviceScene& device, const ObjectBuffer& objects,
               const MeshBuffers& meshes);
@@ -37,8 +40,8 @@ public:
     }
 
 private:
-    void drawLayer(int layer, int glowing, const RasterScene& raster, const ObjectBuffer& objects,
-                   const MeshBuffers& meshes) const;
+    void drawLayer(int layer, const std::vector<bool>& casting, const RasterScene& raster,
+                   const ObjectBuffer& objects, const MeshBuffers& meshes) const;
 
     std::optional<ShadowMaps> maps_;
     Program caster_;

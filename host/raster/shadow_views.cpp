@@ -14,8 +14,10 @@ namespace
 
 using packed::vec4;
 
-// A spot whose cone is wider looks all around: its single map would be stretched at the edges.
+// A spot whose cone is wider looks all around: its single map would be stretched at the edges. One whose cone
+// grows while its maps stay is cut at the second angle.
 constexpr double widestCone_rad = std::numbers::pi / 3.0;
+constexpr double widestMap_rad = 0.47 * std::numbers::pi;
 
 struct Axes {
     glm::dvec3 right, up, forward;
@@ -29,14 +31,50 @@ Axes axesAlong(const glm::dvec3& forward)
     return {right, glm::cross(right, forward), forward};
 }
 
-// Objects that a map must hold: a plane has no end, and its patch is far larger than what stands on it.
-std::vector<const PackedObject*> heldBy(const PackedScene& scene, const std::vector<bool>& casts)
+std::vector<const PackedObject*> chosen(const PackedScene& scene, const std::vector<bool>& casts)
 {
-    std::vector<const PackedObject*> held;
+    std::vector<const PackedObject*> objects;
     for (std::size_t id = 0; id < scene.objects.size(); ++id)
-        if (casts[id] && scene.objects[id].kind != packed::KIND_PLANE)
-            held.push_back(&scene.objects[id]);
-    return held;
+        if (casts[id])
+            objects.push_back(&scene.objects[id]);
+    return objects;
+}
+
+// Whether a flat shape shades nothing, as all else lies between its plane and the light: a ground, a wall.
+// `light`: its place, or of w = 0 the direction to it.
+bool isBehindAll(const PackedScene& scene, std::size_t id, const vec4& light)
+{
+    const auto& shape = scene.objects[id].shape;
+    const glm::dvec3 normal(shape.axis);
+    const double height = glm::dot(normal, glm::dvec3(shape.anchor));
+    const double side = glm::dot(normal, glm::dvec3(light)) - light.w * height;
+    for (std::size_t other = 0; other < scene.objects.size(); ++other) {
+        if (other == id)
+            continue;
+        if (scene.objects[other].kind == packed::KIND_PLANE)
+            return false;
+        const Extent extent = extentAlong(scene.objects[other], normal);
+        // What stands on it may be under it by rounding.
+        const double rounding = 1e-6 * (extent.high - extent.low);
+        if (side > 0.0 ? extent.low < height - rounding : extent.high > height + rounding)
+            return false;
+    }
+    return true;
+}
+
+// Those that a light's maps hold: no plane, which has no end, no lamp in its own, and nothing that shades
+// nothing.
+std::vector<bool> castingOn(const PackedScene& scene, const std::vector<bool>& casts, const vec4& light,
+                            int glowing)
+{
+    std::vector<bool> casting = casts;
+    for (std::size_t id = 0; id < casting.size(); ++id) {
+        const int kind = scene.objects[id].kind;
+        if (kind == packed::KIND_PLANE || static_cast<int>(id) == glowing ||
+            (casting[id] && kind > packed::KIND_PLANE && isBehindAll(scene, id, light)))
+            casting[id] = false;
+    }
+    return casting;
 }
 
 Extent extentOfAll(const std::vector<const PackedObject*>& objects, const glm::dvec3& direction)
@@ -120,26 +158,48 @@ void addAllAround(ShadowViews& all, const packed::Light& light, double nearest)
 
 } // namespace
 
-ShadowViews shadowViews(const PackedScene& scene, const std::vector<bool>& casts)
+std::vector<bool> shineAllAround(const PackedScene& scene, const std::vector<std::string>& animated)
+{
+    const bool conesMove = std::ranges::any_of(
+        animated, [](const std::string& path) { return path.find("cutoff_deg") != std::string::npos; });
+    std::vector<bool> around;
+    for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) {
+        const bool spot = i >= scene.firstSpot && i < scene.firstGlow;
+        const auto& light = scene.lights[static_cast<std::size_t>(i)];
+        around.push_back(i >= scene.firstPoint && (!spot || conesMove || coneOf(light) > widestCone_rad));
+    }
+    return around;
+}
+
+ShadowViews shadowViews(const PackedScene& scene, const std::vector<bool>& casts,
+                        const std::vector<bool>& allAround)
 {
     ShadowViews all;
+    for (std::size_t id = 0; id < scene.objects.size(); ++id) {
+        const auto& shape = scene.objects[id].shape;
+        const bool shades = casts[id] && scene.objects[id].kind == packed::KIND_PLANE;
+        all.planeOf.push_back(shades ? static_cast<int>(all.planes.size()) : -1);
+        if (shades)
+            all.planes.emplace_back(glm::dvec3(shape.axis),
+                                    glm::dot(glm::dvec3(shape.axis), glm::dvec3(shape.anchor)));
+    }
     for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) {
         const auto& light = scene.lights[static_cast<std::size_t>(i)];
-        std::vector<bool> casting = casts;
-        if (i >= scene.firstGlow)
-            casting[static_cast<std::size_t>(light.diffuse.w)] = false;
-        const auto held = heldBy(scene, casting);
+        const bool parallel = i < scene.firstPoint;
+        const vec4 place =
+            parallel ? vec4(-glm::dvec3(light.direction), 0.0) : vec4(glm::dvec3(light.position), 1.0);
+        const auto casting = castingOn(scene, casts, place, static_cast<int>(light.diffuse.w));
+        const auto held = chosen(scene, casting);
         const int first = static_cast<int>(all.views.size());
-        const bool spot = i >= scene.firstSpot && i < scene.firstGlow;
-        if (i < scene.firstPoint)
+        if (parallel)
             all.views.push_back(parallelView(light, held));
-        else if (spot && coneOf(light) <= widestCone_rad)
-            all.views.push_back(perspectiveView(light, axesAlong(glm::dvec3(light.direction)),
-                                                std::tan(coneOf(light)) * 1.01,
-                                                nearestOf(glm::dvec3(light.position), held)));
-        else
+        else if (allAround[static_cast<std::size_t>(i)])
             addAllAround(all, light, nearestOf(glm::dvec3(light.position), held));
-        all.lights.push_back({first, static_cast<int>(all.views.size()) - first});
+        else
+            all.views.push_back(perspectiveView(light, axesAlong(glm::dvec3(light.direction)),
+                                                std::tan(std::min(coneOf(light), widestMap_rad)) * 1.01,
+                                                nearestOf(glm::dvec3(light.position), held)));
+        all.lights.push_back({first, static_cast<int>(all.views.size()) - first, casting});
     }
     return all;
 }

@@ -88,6 +88,9 @@ TEST_F(Methods, WhyTellsThePatchOfAPlane)
     EXPECT_NE(pixels.out.find("their corners lie at infinity"), std::string::npos) << pixels.out;
     const auto usual = render("spheres --method flat:8 --size 64x36 --spp 1 -o a.png --why");
     EXPECT_EQ(usual.code, 0) << usual.error;
+    EXPECT_EQ(usual.out.find("in   plane patches"), std::string::npos) << "it has no plane";
+    const auto own = render("still_life --method flat:8 --size 64x36 --spp 1 -o a.png --why");
+    EXPECT_NE(own.out.find("raster_extent_m sets another"), std::string::npos) << own.out;
 }
 
 TEST_F(Methods, TilesJoinBitForBit)
@@ -207,6 +210,9 @@ TEST_F(Methods, CompareRefusesWhatMakesNoSense)
     expectRefused(here(words + "--methods trace,phong:9999"), "8 to 512");
     expectRefused(here(words + "--methods trace,flat:8,phong:8 --wipe 0.5"), "two methods");
     expectRefused(here(words + "--methods trace,flat:8 --wipe 1.5"), "0 to 1");
+    expectRefused(here(words + "--methods trace,flat:8 --ppd 5"), "--ppd");
+    expectRefused(here(words + "--methods trace,flat:8 --exposure nan"), "--exposure");
+    expectRefused(here(words + "--methods trace,flat:8 --time nan"), "--time");
     expectRefused(here(words + "--methods trace,flat:8 --wipe 0.5 --difference"), "leave one of them out");
     expectRefused(here("dioptre compare shadings --methods trace,flat:8 --wipe 0.5"), "-o FILE.png");
     expectRefused(here("dioptre compare shadings --methods trace,flat:8 -o no.exr"), ".png");

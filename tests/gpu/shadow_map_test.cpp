@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 
 using namespace dioptre;
@@ -70,6 +72,9 @@ TEST(ShadowMap, ShowsTheTracersShadows_AndTheFinerTheNearer)
     }
 }
 
+// A flat shape that nothing lies behind is left out of the maps: this is there to be shaded, out of sight.
+const std::string under = "[[sphere]]\ncentre = [0, -3, 0]\nradius = 0.2\n";
+
 // Every pixel that the tracer lights and no shadow's edge is near must be lit: on slopes at any angle to the
 // light.
 TEST(ShadowMap, SurfacesDoNotShadowThemselves_AtAnyAngleToTheLight)
@@ -83,7 +88,7 @@ TEST(ShadowMap, SurfacesDoNotShadowThemselves_AtAnyAngleToTheLight)
                       : fmt::format("[[light]]\nkind = \"directional\"\ndirection = [{}, {}, 0]\n",
                                     -std::sin(a), -std::cos(a));
             const std::string scene =
-                head + light + "[[disk]]\ncentre = [0, 0, 0]\nnormal = [0, 1, 0]\nradius = 2\n";
+                head + light + "[[disk]]\ncentre = [0, 0, 0]\nnormal = [0, 1, 0]\nradius = 2\n" + under;
             const Picture traced = by("trace", scene);
             for (const char* filter : {"nearest", "pcf"}) {
                 const Picture drawn =
@@ -101,6 +106,59 @@ TEST(ShadowMap, SurfacesDoNotShadowThemselves_AtAnyAngleToTheLight)
             }
         }
     }
+}
+
+// No map holds a plane: a sun behind a wall, above a ceiling, below the ground.
+TEST(ShadowMap, EndlessPlanesShadeAllThatIsBehindThem)
+{
+    const std::string scene = "[camera]\neye = [0, 3, 9]\ntarget = [0, 1, 0]\n[[light]]\nkind = \"ambient\"\n"
+                              "ambient = [0.1, 0.1, 0.1]\n[[plane]]\npoint = [0, 0, 0]\nnormal = [0, 1, 0]\n"
+                              "[[plane]]\npoint = [0, 0, -5]\nnormal = [0, 0, 1]\n"
+                              "[[sphere]]\ncentre = [0, 0.7, 0]\nradius = 0.5\n[[light]]\n";
+    for (const char* light :
+         {"kind = \"directional\"\ndirection = [0, -0.3, 1]\n",
+          "kind = \"directional\"\ndirection = [0.2, 1, -0.1]\n",
+          "kind = \"directional\"\ndirection = [0.2, -1, -0.1]\n",
+          "kind = \"point\"\nposition = [1, 2, -7]\n", "kind = \"point\"\nposition = [1, 2, 2]\n"})
+        for (const std::string method : {"phong:64", "gouraud:64"}) {
+            // A lamp's light is not to be mixed over facets of six metres.
+            if (method == "gouraud:64" && std::string(light).find("point") != std::string::npos)
+                continue;
+            EXPECT_LT(wrong(by(method, scene + light,
+                               {"plane.0.raster_extent_m=400", "plane.1.raster_extent_m=400"}),
+                            by("trace", scene + light)),
+                      150U)
+                << method << ": " << light;
+        }
+}
+
+// A ground of a kilometre under a ball of a metre: the map is the ball's alone.
+TEST(ShadowMap, AGroundThatShadesNothing_TakesNoPartOfTheMap)
+{
+    const std::string scene =
+        head + lights()[0].second +
+        "[[rectangle]]\ncorner = [-500, 0, 500]\nedge_u = [1000, 0, 0]\nedge_v = [0, 0, -1000]\n" +
+        "[[sphere]]\ncentre = [0, 0.5, 0]\nradius = 0.5\n";
+    EXPECT_LT(wrong(by("phong:64", scene), by("trace", scene)), 40U);
+}
+
+// The light's maps are six from the start where its cone is animated.
+TEST(ShadowMap, AConeThatOpensWideKeepsItsShadows)
+{
+    const auto path = std::filesystem::temp_directory_path() / "dioptre-opening-cone.toml";
+    std::ofstream(path)
+        << head +
+               "[[light]]\nkind = \"spot\"\nposition = [-1, 3, 1]\ndirection = [0.3, -1, -0.4]\ncutoff_deg = "
+               "30\n" +
+               things + "[[animate]]\npath = \"light.0.cutoff_deg\"\ntimes = [0, 1]\nvalues = [30, 85]\n";
+    const Request request{120, 90, 1, {}, "auto", 0.0, DataView::none, "phong:16"};
+    const auto pictures = rasteriseMoments(path, request, {0.0, 1.0});
+    for (const double time_s : {0.0, 1.0})
+        EXPECT_LT(wrong(pictures[time_s > 0.0 ? 1 : 0].picture,
+                        test::renderScene(path, {120, 90, 1, {}, "auto", time_s}).picture),
+                  40U)
+            << time_s << " s";
+    std::filesystem::remove(path);
 }
 
 TEST(ShadowMap, RoundShapesThrowShadows_AndTakeThem)
