@@ -9,6 +9,21 @@
 
 namespace dioptre
 {
+namespace
+{
+
+void addMethods(CLI::App& command, LiveOptions& options)
+{
+    command.add_option("--method", options.method, "how a scene is drawn, as render's --method")
+        ->type_name("METHOD[:N]")
+        ->capture_default_str();
+    command
+        .add_option("--compare", options.compare,
+                    "split the window: --method left of a divider, this one right of it")
+        ->type_name("METHOD[:N]");
+}
+
+} // namespace
 
 void addLive(CLI::App& app, LiveOptions& options)
 {
@@ -42,6 +57,7 @@ void addLive(CLI::App& app, LiveOptions& options)
                          fmt::format("iChannel{} of a plain shader: a picture, or a cube's six", i))
             ->type_name("FILE");
     addInclude(*command, options.included);
+    addMethods(*command, options);
     command->add_option("--view", options.view, "show data in place of light, as render's --view")
         ->check(CLI::IsMember(dataViewNames()))
         ->type_name("VIEW");

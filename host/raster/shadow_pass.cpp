@@ -12,16 +12,17 @@ namespace
 
 constexpr const char* blockName = "ShadowBlock";
 
-std::vector<float> numbersOf(const std::vector<packed::ShadowView>& views)
+} // namespace
+
+std::vector<float> numbersOf(const ShadowViews& shadows)
 {
+    const auto& views = shadows.views;
     std::vector<float> values;
     const auto* numbers = reinterpret_cast<const double*>(views.data());
     std::transform(numbers, numbers + views.size() * sizeof(packed::ShadowView) / sizeof(double),
                    std::back_inserter(values), [](double number) { return static_cast<float>(number); });
     return values;
 }
-
-} // namespace
 
 ShadowPass::ShadowPass(const RasterScene& raster, const RasterText& text)
     : maps_(makeShadowMaps(raster.prepared.scene.raster.shadowMap_px,
@@ -36,7 +37,7 @@ void ShadowPass::update(const RasterScene& raster, DeviceScene& device)
     drawn_ = false;
     if (!maps_)
         return;
-    const std::vector<float> values = numbersOf(raster.shadows.views);
+    const std::vector<float> values = numbersOf(raster.shadows);
     std::erase_if(device.blocks, [](const BoundBlock& block) { return block.block == blockName; });
     device.blocks.push_back({blockName, uploadUniformBuffer(values), values.size() * sizeof(float)});
 }
