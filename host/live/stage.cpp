@@ -223,7 +223,7 @@ void Stage::drawRows(double budget_ms)
     const int width = loaded_->view.width, height = loaded_->view.height;
     Stopwatch watch;
     if (row_ == 0)
-        layer.sample_ms = 0.0;
+        layer.drawing_ms = 0.0;
     if (row_ == 0 && samplesDone_ == 0)
         drawing.start();
     const double fitting = layer.msPerRow > 0.0 ? budget_ms / layer.msPerRow : leastRows;
@@ -232,11 +232,12 @@ void Stage::drawRows(double budget_ms)
     drawing.add({samplesDone_, 1}, {0, row_, width, rows});
     const double took_ms = watch.lap_ms();
     layer.msPerRow = took_ms / rows;
-    layer.sample_ms += took_ms;
+    layer.drawing_ms += took_ms;
     row_ += rows;
     if (row_ < height)
         return;
     row_ = 0;
+    layer.sample_ms = layer.drawing_ms;
     facts_.methods[turn_].sample_ms = layer.sample_ms;
     turn_ = (turn_ + 1) % layers_.size();
     if (turn_ == 0)

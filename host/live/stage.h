@@ -100,7 +100,8 @@ private:
     struct Layer {
         std::unique_ptr<Painter> painter;
         double msPerRow = 0.0;
-        double sample_ms = 0.0;
+        double sample_ms = 0.0;  // of the last that is done
+        double drawing_ms = 0.0; // of the one that is begun
     };
 
     bool isPlain() const
