@@ -14,19 +14,19 @@ namespace
 constexpr ImU32 paper = IM_COL32(20, 20, 24, 190);
 constexpr ImU32 ink = IM_COL32(255, 255, 255, 255);
 constexpr ImU32 rim = IM_COL32(0, 0, 0, 160);
-constexpr float top_px = 8.0F;
-constexpr float gap_px = 8.0F;
-constexpr float padding_px = 5.0F;
+constexpr float plateTop_px = 8.0F;
+constexpr float plateGap_px = 8.0F;
+constexpr float platePadding_px = 5.0F;
 
 // `share`: of its width that lies left of `x_px`.
 void drawPlate(const std::string& text, float x_px, float share)
 {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
-    const float width = extent.x + 2.0F * padding_px;
-    const ImVec2 at(x_px - share * width, top_px);
-    draw.AddRectFilled(at, {at.x + width, at.y + extent.y + padding_px}, paper, 3.0F);
-    draw.AddText({at.x + padding_px, at.y + 0.5F * padding_px}, ink, text.c_str());
+    const float width = extent.x + 2.0F * platePadding_px;
+    const ImVec2 at(x_px - share * width, plateTop_px);
+    draw.AddRectFilled(at, {at.x + width, at.y + extent.y + platePadding_px}, paper, 3.0F);
+    draw.AddText({at.x + platePadding_px, at.y + 0.5F * platePadding_px}, ink, text.c_str());
 }
 
 void drawDivider(float x_px, bool lit)
@@ -56,8 +56,8 @@ void drawComparison(const MethodChoice& choice, bool held, float left_px)
     const bool over = !io.WantCaptureMouse && isOnDivider(static_cast<double>(io.MousePos.x) + 0.5,
                                                           choice.divider, static_cast<int>(io.DisplaySize.x));
     drawDivider(x_px, held || over);
-    drawPlate(nameOf(choice.method), x_px - gap_px, 1.0F);
-    drawPlate(nameOf(choice.other), x_px + gap_px, 0.0F);
+    drawPlate(nameOf(choice.method), x_px - plateGap_px, 1.0F);
+    drawPlate(nameOf(choice.other), x_px + plateGap_px, 0.0F);
     if (held || over)
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
 }

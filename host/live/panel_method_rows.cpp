@@ -8,7 +8,7 @@ namespace dioptre
 namespace
 {
 
-constexpr const char* group = "Method";
+constexpr const char* methodGroup = "Method";
 
 // Powers of two, and what the words of the command line asked for.
 std::vector<int> facetCounts(int now)
@@ -24,7 +24,7 @@ std::vector<int> facetCounts(int now)
 template <typename Numbers>
 PanelRow numberChoice(const char* path, const char* label, const Numbers& choices, int now)
 {
-    PanelRow row{group, "", path, label, RowKind::choice};
+    PanelRow row{methodGroup, "", path, label, RowKind::choice};
     double place = 0.0;
     for (const int choice : choices) {
         if (choice == now)
@@ -40,7 +40,7 @@ PanelRow numberChoice(const char* path, const char* label, const Numbers& choice
 template <typename Table, typename IsNow>
 PanelRow namedChoice(const char* path, const char* label, const Table& table, const IsNow& isNow)
 {
-    PanelRow row{group, "", path, label, RowKind::choice};
+    PanelRow row{methodGroup, "", path, label, RowKind::choice};
     const auto now = std::ranges::find_if(table, isNow);
     row.numbers = {static_cast<double>(now - table.begin())};
     row.high = static_cast<double>(table.size() - 1);
@@ -84,7 +84,7 @@ std::vector<PanelRow> methodRows(const MethodChoice& choice)
     if (choice.comparison == Comparison::difference)
         rows.push_back(numberChoice("scale", "times", differenceScales, choice.scale));
     if (drawsFacets(choice)) {
-        rows.push_back({group, "", "edges", "edges", RowKind::toggle, {choice.wires ? 1.0 : 0.0}});
+        rows.push_back({methodGroup, "", "edges", "edges", RowKind::toggle, {choice.wires ? 1.0 : 0.0}});
         rows.back().meaning = "of the facets, over the picture";
     }
     return rows;

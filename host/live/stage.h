@@ -108,6 +108,7 @@ private:
     {
         return loaded_->plain.has_value();
     }
+    Comparison comparison() const; // as far as what it takes is there
     int samplesWanted() const;
     void begin();
     void drawRows(double budget_ms);

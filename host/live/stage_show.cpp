@@ -53,33 +53,43 @@ void Stage::show()
                                     choice_.scale, display);
 }
 
+Comparison Stage::comparison() const
+{
+    const bool all = loaded_ != nullptr && !isPlain() && layers_.size() == drawnMethods(choice_).size();
+    const bool drawn = shown_.back()->size_px().x > 0 &&
+                       (choice_.comparison != Comparison::difference || difference_->size_px().x > 0);
+    return all && drawn ? choice_.comparison : Comparison::off;
+}
+
 void Stage::present(const glm::ivec2& window_px) const
 {
-    const bool differs = difference_ && difference_->size_px() == size_px();
-    const bool hasSecond = shown_.back()->size_px().x > 0;
-    if (choice_.comparison == Comparison::difference && differs)
+    switch (comparison()) {
+    case Comparison::difference:
         return difference_->draw(window_px);
-    if (choice_.comparison == Comparison::second && hasSecond)
+    case Comparison::second:
         return shown_.back()->draw(window_px);
-    shown_.front()->draw(window_px);
-    if (choice_.comparison == Comparison::split)
-        shown_.back()->drawFrom(dividerColumn_px(choice_.divider, window_px.x), window_px);
+    case Comparison::split:
+        shown_.front()->draw(window_px);
+        return shown_.back()->drawFrom(dividerColumn_px(choice_.divider, window_px.x), window_px);
+    default:
+        return shown_.front()->draw(window_px);
+    }
 }
 
 Picture Stage::read() const
 {
-    if (choice_.comparison == Comparison::difference && difference_)
+    if (comparison() == Comparison::difference)
         return difference_->read();
-    if (choice_.comparison == Comparison::second)
+    if (comparison() == Comparison::second)
         return shown_.back()->read();
     Picture picture = shown_.front()->read();
-    if (choice_.comparison != Comparison::split || shown_.size() == 1)
+    if (comparison() != Comparison::split)
         return picture;
     const Picture right = shown_.back()->read();
     const auto column = static_cast<std::size_t>(dividerColumn_px(choice_.divider, picture.width));
     const auto width = static_cast<std::size_t>(picture.width);
     for (std::size_t texel = 0; texel < picture.bytes.size() / 4; ++texel)
-        if (texel % width >= column)
+        if (texel % width >= column && 4 * texel < right.bytes.size())
             std::copy_n(&right.bytes[4 * texel], 4, &picture.bytes[4 * texel]);
     return picture;
 }
