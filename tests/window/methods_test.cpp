@@ -268,21 +268,25 @@ TEST_F(Methods, Screenshot_HoldsBothSides_AndInAnotherSizeTheLeftOne)
 TEST_F(MethodsEdited, ShaderOfFacets_IsReloaded_AndAFaultyOneKeepsThePicture)
 {
     openWith({"--method", "phong:8"});
-    const std::string sum = "o_sample = vec4(radiance, 0.0);";
-    edit("raster/surface.frag", sum, "o_sample = vec4(0.0, 1.0, 0.0, 0.0);");
+    // All that is fed must be read still, as of the tracer.
+    const std::string sum = "vec4(radiance, 0.0)",
+                      painted = "vec4(vec3(0.0, 1.0, 0.0) + 1e-9 * radiance, 0.0)",
+                      other = "vec4(vec3(0.0, 0.0, 1.0) + 1e-9 * radiance, 0.0)";
+    edit("raster/surface.frag", sum, painted);
     EXPECT_EQ(program->next("shown")["compiled"], true);
     EXPECT_TRUE(eventually([&] { return at(freePlace) == green.rgb; }));
-    edit("raster/surface.frag", "vec4(0.0, 1.0, 0.0, 0.0)", "vec4(nothing, 0.0)");
+    edit("raster/surface.frag", painted, "vec4(nothing, 0.0)");
     const auto fault = program->next("error");
     EXPECT_EQ(fault["stale"], true);
     EXPECT_TRUE(fault["places"][0]["path"].get<std::string>().ends_with("raster/surface.frag")) << fault;
+    EXPECT_GT(fault["places"][0]["line"].get<int>(), 50) << fault;
     EXPECT_TRUE(eventually([&] { return isStaleOver(green); }));
-    edit("raster/surface.frag", "vec4(nothing, 0.0)", "vec4(0.0, 0.0, 1.0, 0.0)");
+    edit("raster/surface.frag", "vec4(nothing, 0.0)", other);
     program->next("shown");
-    EXPECT_TRUE(eventually([&] { return at(freePlace) == blue.rgb; }));
-    edit("raster/surface.frag",
-         "    o_sample = ", "    while (u_near_m > -1.0)\n        radiance += 1.0;\n    o_sample = ");
-    EXPECT_EQ(program->next("error")["stale"], true) << "one that never ends";
+    EXPECT_TRUE(eventually([&] { return at(freePlace) == blue.rgb && !(at(border) == frameRed); }));
+    edit("raster/surface.vert", "gl_Position = ", "gl_Position = 2 + missing * ");
+    const auto placing = program->next("error");
+    EXPECT_TRUE(placing["places"][0]["path"].get<std::string>().ends_with("raster/surface.vert")) << placing;
     EXPECT_TRUE(eventually([&] { return isStaleOver(blue); }));
 }
 
