@@ -1,6 +1,7 @@
 #include "command/live_options.h"
 
 #include "command/include_option.h"
+#include "command/method_option.h"
 #include "command/size_option.h"
 #include "render/data_view.h"
 
@@ -12,11 +13,9 @@ namespace dioptre
 namespace
 {
 
-void addMethods(CLI::App& command, LiveOptions& options)
+void addShownMethods(CLI::App& command, LiveOptions& options)
 {
-    command.add_option("--method", options.method, "how a scene is drawn, as render's --method")
-        ->type_name("METHOD[:N]")
-        ->capture_default_str();
+    addMethod(command, options.method);
     command
         .add_option("--compare", options.compare,
                     "split the window: --method left of a divider, this one right of it")
@@ -57,7 +56,7 @@ void addLive(CLI::App& app, LiveOptions& options)
                          fmt::format("iChannel{} of a plain shader: a picture, or a cube's six", i))
             ->type_name("FILE");
     addInclude(*command, options.included);
-    addMethods(*command, options);
+    addShownMethods(*command, options);
     command->add_option("--view", options.view, "show data in place of light, as render's --view")
         ->check(CLI::IsMember(dataViewNames()))
         ->type_name("VIEW");
