@@ -1,6 +1,8 @@
 // From sums of samples to what a display shows: the same as a PNG holds.
 
 uniform sampler2D u_sums;  // radiance in rgb, summed over samples
+uniform sampler2D u_other_sums; // of another picture by as many samples
+uniform bool u_is_difference;   // show how far the two are from each other
 uniform float u_scale;     // of a sum: 1 over the samples, times 2^exposure
 uniform int u_curve;       // how radiance becomes 0..1: see toneCurve()
 uniform float u_gamma;     // 0: by the sRGB curve; below 0: not encoded; else by the power 1/gamma
@@ -26,6 +28,8 @@ vec3 srgbFromLinear(vec3 linear)
 void main()
 {
     vec3 sum = texelFetch(u_sums, ivec2(gl_FragCoord.xy), 0).rgb;
+    if (u_is_difference)
+        sum = abs(sum - texelFetch(u_other_sums, ivec2(gl_FragCoord.xy), 0).rgb);
     // A number that is none is shown as 0, and the largest as 1.
     vec3 radiance = clamp(mix(vec3(0.0), u_scale * sum, vec3(equal(sum, sum))), 0.0, 1e18);
     vec3 shown = clamp(toneCurve(radiance), 0.0, 1.0);

@@ -24,6 +24,8 @@ struct LiveOptions {
     bool restart = false;                // time begins anew with each reload
     std::vector<std::string> overrides;  // path=value; of a plain shader uniform=value
     std::array<std::string, 4> channels; // of a plain shader: see ChannelSource
+    std::string method = "trace";        // what is shown of a scene, as methodNamed() reads it
+    std::string compare;                 // what is shown beside it, likewise; "" for nothing
     std::string view;                    // data in place of light; "" for none
     std::string output;                  // of screenshots; the input's name with -1.png and so on where empty
     std::string screenshotSize;          // WxH; "" for the window's own pixels

@@ -1,6 +1,7 @@
 #include "command/live_options.h"
 
 #include "command/include_option.h"
+#include "command/method_option.h"
 #include "command/size_option.h"
 #include "render/data_view.h"
 
@@ -9,6 +10,19 @@
 
 namespace dioptre
 {
+namespace
+{
+
+void addShownMethods(CLI::App& command, LiveOptions& options)
+{
+    addMethod(command, options.method);
+    command
+        .add_option("--compare", options.compare,
+                    "split the window: --method left of a divider, this one right of it")
+        ->type_name("METHOD[:N]");
+}
+
+} // namespace
 
 void addLive(CLI::App& app, LiveOptions& options)
 {
@@ -42,6 +56,7 @@ void addLive(CLI::App& app, LiveOptions& options)
                          fmt::format("iChannel{} of a plain shader: a picture, or a cube's six", i))
             ->type_name("FILE");
     addInclude(*command, options.included);
+    addShownMethods(*command, options);
     command->add_option("--view", options.view, "show data in place of light, as render's --view")
         ->check(CLI::IsMember(dataViewNames()))
         ->type_name("VIEW");

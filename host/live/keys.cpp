@@ -25,8 +25,12 @@ std::span<const KeyBinding> keyBindings()
         KeyBinding{Action::lightType, GLFW_KEY_L, false, "L", "light type: unlit, lit, lights only"},
         KeyBinding{Action::lightUp, GLFW_KEY_PAGE_UP, false, "Page up", "lights higher"},
         KeyBinding{Action::lightDown, GLFW_KEY_PAGE_DOWN, false, "Page down", "lights lower"},
-        KeyBinding{Action::order, GLFW_KEY_M, false, "M", "the next method: order of the ray tree"},
+        KeyBinding{Action::order, GLFW_KEY_M, false, "M", "the next order of the ray tree"},
         KeyBinding{Action::view, GLFW_KEY_V, false, "V", "the next view: light, rays, lost, object, ..."},
+        KeyBinding{Action::compare, GLFW_KEY_B, false, "B", "two methods: split, difference, off"},
+        KeyBinding{Action::flip, GLFW_KEY_X, false, "X", "flip between the two in full"},
+        KeyBinding{Action::differenceScale, GLFW_KEY_K, false, "K", "the next scale of the difference"},
+        KeyBinding{Action::wires, GLFW_KEY_G, false, "G", "edges of the facets, or none"},
         KeyBinding{Action::fewerRays, GLFW_KEY_MINUS, false, "-", "a smaller budget of rays"},
         KeyBinding{Action::moreRays, GLFW_KEY_EQUAL, false, "+", "a larger budget of rays"},
         KeyBinding{Action::moreRays, GLFW_KEY_KP_ADD, false, "+", "a larger budget of rays"},
@@ -66,6 +70,7 @@ std::span<const Gesture> gestures()
 {
     static constexpr std::array all{
         Gesture{"drag", "orbit round the target; a shader's mouse"},
+        Gesture{"drag the divider", "more of one method, less of the other"},
         Gesture{"right drag", "turn the head"},
         Gesture{"middle or shift drag", "move sideways"},
         Gesture{"wheel", "field of view"},

@@ -8,6 +8,7 @@ namespace dioptre
 
 ExitCode live(const LiveOptions& options)
 {
+    refuseBadMethods(options, findLiveInput(options.input));
     startVariablesAtZero();
     int signal = 0;
     {

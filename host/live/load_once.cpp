@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/file.h"
+#include "raster/raster_trial.h"
 #include "render/input_files.h"
 #include "render/latch.h"
 #include "render/pack.h"
@@ -71,11 +72,10 @@ void takePictures(const Scene& scene, const Plan& plan, PackedScene& packed, con
 }
 
 // They go on with what is loaded where the device is to get them, and are kept in any case.
-void givePicturesBack(Loaded& loaded, KeptPictures& kept)
+void givePicturesBack(PackedScene& packed, bool isOnDevice, KeptPictures& kept)
 {
-    PackedScene& packed = loaded.scene->prepared.packed;
     kept.skyBrightness = packed.skyPictureBrightness;
-    if (loaded.texts == loaded.request.shownTexts && loaded.pictures == loaded.request.shownPictures) {
+    if (isOnDevice) {
         kept.pictures = std::move(packed.pictures);
         kept.sky = std::move(packed.sky_picture);
         packed.pictures.clear();
@@ -86,28 +86,85 @@ void givePicturesBack(Loaded& loaded, KeptPictures& kept)
     }
 }
 
-void loadScene(Loaded& loaded, const DeviceTraits& device, const std::string& text, KeptPictures& kept)
+PictureSource picturesFrom(KeptPictures& kept, const PictureCache& cache)
+{
+    return [&](const Scene& seen, const Plan& plan, PackedScene& packed) {
+        takePictures(seen, plan, packed, cache, kept);
+    };
+}
+
+// What is only planned asks for none: any brightness of a sky will do.
+void withoutPictures(const Scene&, const Plan&, PackedScene& packed)
+{
+    packed.skyPictureBrightness = 1.0;
+}
+
+// Ends the loading of one method: what it is drawn by, its trials, its pictures.
+void addDrawn(Loaded& loaded, const DrawnBy& drawn, PackedScene& packed, std::vector<LoadedTrial> trials,
+              KeptPictures& kept)
+{
+    const auto& onDevice = loaded.request.onDevice;
+    loaded.drawn.push_back(drawn);
+    if (!holdsTexts(onDevice, drawn.texts))
+        std::ranges::move(trials, std::back_inserter(loaded.trials));
+    givePicturesBack(packed, std::ranges::find(onDevice, drawn) != onDevice.end(), kept);
+}
+
+void loadTraced(Loaded& loaded, LoadedScene& result, const DeviceTraits& device, KeptPictures& kept)
+{
+    DrawnBy drawn{Method{}, "", kept.fingerprint};
+    result.parts = assembleParts(result.prepared, loaded.view.glslFolder, device.shader);
+    std::vector<LoadedTrial> trials;
+    for (const auto& part : result.parts)
+        drawn.texts += flatten(part.shader) + flatten(part.vertex);
+    if (!holdsTexts(loaded.request.onDevice, drawn.texts))
+        for (const auto& part : result.parts)
+            trials.push_back({trialOf(part, result.prepared.packed), part.shader, part.vertex});
+    addDrawn(loaded, drawn, result.prepared.packed, std::move(trials), kept);
+}
+
+void loadRaster(Loaded& loaded, LoadedScene& result, const Method& method, KeptPictures& kept)
+{
+    LoadedRaster raster;
+    raster.scene =
+        prepareRaster(*result.scene, loaded.view, method, picturesFrom(kept, loaded.view.pictures));
+    raster.texts = rasterTexts(raster.scene, loaded.view.glslFolder);
+    DrawnBy drawn{method, "", kept.fingerprint};
+    std::vector<LoadedTrial> trials;
+    const auto texts = textsOfAll(raster.texts);
+    for (const auto& text : texts)
+        drawn.texts += flatten(text.fragment) + flatten(text.vertex);
+    if (!holdsTexts(loaded.request.onDevice, drawn.texts))
+        for (const auto& text : texts)
+            trials.push_back({trialOf(raster.scene, text), text.fragment, text.vertex});
+    addDrawn(loaded, drawn, raster.scene.prepared.packed, std::move(trials), kept);
+    result.rasters.back() = std::move(raster);
+}
+
+void loadScene(Loaded& loaded, const DeviceTraits& device, const std::string& text, KeptForMethods& kept)
 {
     const LoadRequest& request = loaded.request;
     const Look& look = request.look;
     LoadedScene result;
     result.atTime = parseSceneOverTime(text, look.input.path, look.overrides, look.places);
-    auto scene =
+    result.scene =
         std::make_shared<Scene>(sceneUnder(look, result.atTime, request.time_s, request.shown.get()));
-    result.scene = scene;
+    const auto traced = std::ranges::find(look.methods, Method{});
+    const auto place = static_cast<std::size_t>(traced - look.methods.begin());
     result.prepared =
-        prepare(*scene, loaded.view, [&](const Scene& seen, const Plan& plan, PackedScene& packed) {
-            takePictures(seen, plan, packed, loaded.view.pictures, kept);
-        });
-    loaded.pictures = kept.fingerprint;
-    result.parts = assembleParts(result.prepared, loaded.view.glslFolder, device.shader);
-    for (const auto& part : result.parts)
-        loaded.texts += flatten(part.shader) + flatten(part.vertex);
-    if (loaded.texts != request.shownTexts)
-        for (const auto& part : result.parts)
-            loaded.trials.push_back(trialOf(part, result.prepared.packed));
+        prepare(*result.scene, loaded.view,
+                traced == look.methods.end() ? PictureSource(withoutPictures)
+                                             : picturesFrom(kept.at(place), loaded.view.pictures));
+    for (std::size_t i = 0; i < look.methods.size(); ++i) {
+        result.rasters.emplace_back();
+        if (isRasterised(look.methods[i]))
+            loadRaster(loaded, result, look.methods[i], kept.at(i));
+        else
+            loadTraced(loaded, result, device, kept.at(i));
+    }
+    for (std::size_t i = look.methods.size(); i < kept.size(); ++i)
+        kept.at(i) = {};
     loaded.scene = std::move(result);
-    givePicturesBack(loaded, kept);
 }
 
 void loadShader(Loaded& loaded, const DeviceTraits& device)
@@ -119,25 +176,33 @@ void loadShader(Loaded& loaded, const DeviceTraits& device)
     settings.frame = request.frame;
     settings.values = request.look.values;
     settings.included = request.look.places.included;
+    DrawnBy drawn;
     for (const auto& channel : settings.channels)
         for (const auto& file : channel.files)
-            loaded.pictures += fingerprintOf(file);
+            drawn.pictures += fingerprintOf(file);
     loaded.plain = loadPlain(request.look.input.path, loaded.view, settings, device.software);
     loaded.sliders = sliderStarts(loaded.plain->text.text);
     for (const auto& [name, value] : settings.values)
         loaded.sliders.erase(name);
     settings.frame.live.sliders.insert(loaded.sliders.begin(), loaded.sliders.end());
-    loaded.texts = flattenWithoutComments(loaded.plain->text.text);
+    drawn.texts = flattenWithoutComments(loaded.plain->text.text);
     for (const auto kind : loaded.plain->form.channels)
-        loaded.texts += kind == ChannelKind::cube ? "c" : "p";
-    if (loaded.texts != request.shownTexts)
-        loaded.trials.push_back(trialOf(*loaded.plain, settings));
+        drawn.texts += kind == ChannelKind::cube ? "c" : "p";
+    if (!holdsTexts(request.onDevice, drawn.texts))
+        loaded.trials.push_back({trialOf(*loaded.plain, settings), loaded.plain->text.text, {}});
+    loaded.drawn.push_back(std::move(drawn));
 }
 
 std::vector<std::filesystem::path> filesOf(const Look& look, const std::string& text)
 {
-    if (!look.input.plainShader)
-        return filesOfScene(look.input.path, text, look.places);
+    if (!look.input.plainShader) {
+        auto files = filesOfScene(look.input.path, text, look.places);
+        if (std::ranges::any_of(look.methods, isRasterised))
+            for (auto& file : filesOfSources(rasterSources(), look.places))
+                if (std::ranges::find(files, file) == files.end())
+                    files.push_back(std::move(file));
+        return files;
+    }
     auto files = filesOfShader(look.input.path, look.places);
     for (std::size_t i = 0; i < look.channels.size(); ++i)
         for (const auto& file : channelSource(look.channels[i], i).files)
@@ -163,6 +228,18 @@ Scene sceneUnder(const Look& look, const SceneOverTime& atTime, double time_s, c
     return scene;
 }
 
+bool holdsTexts(const std::vector<DrawnBy>& drawn, const std::string& texts)
+{
+    return std::ranges::find(drawn, texts, &DrawnBy::texts) != drawn.end();
+}
+
+bool needsNoCompiler(const Loaded& next, const Loaded& shown)
+{
+    return next.scene.has_value() == shown.scene.has_value() &&
+           std::ranges::all_of(next.drawn,
+                               [&](const DrawnBy& drawn) { return holdsTexts(shown.drawn, drawn.texts); });
+}
+
 std::string stampOf(const std::vector<std::filesystem::path>& files)
 {
     std::string all;
@@ -171,7 +248,7 @@ std::string stampOf(const std::vector<std::filesystem::path>& files)
     return all;
 }
 
-LoadOutcome loadOnce(const LoadRequest& request, const DeviceTraits& device, KeptPictures& kept)
+LoadOutcome loadOnce(const LoadRequest& request, const DeviceTraits& device, KeptForMethods& kept)
 {
     LoadOutcome outcome;
     outcome.request = request;

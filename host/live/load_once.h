@@ -14,10 +14,13 @@ struct KeptPictures {
     std::optional<double> skyBrightness;
 };
 
+// By the place of a method among those that are drawn.
+using KeptForMethods = std::array<KeptPictures, 2>;
+
 // What changes when one of the files does.
 std::string stampOf(const std::vector<std::filesystem::path>& files);
 
 // Never throws: what goes wrong is in the outcome.
-LoadOutcome loadOnce(const LoadRequest& request, const DeviceTraits& device, KeptPictures& kept);
+LoadOutcome loadOnce(const LoadRequest& request, const DeviceTraits& device, KeptForMethods& kept);
 
 } // namespace dioptre

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "command/input.h"
+#include "raster/raster_text.h"
 #include "render/assembled_part.h"
 #include "render/plain.h"
 #include "render/trial.h"
@@ -28,8 +29,17 @@ struct Look {
     SearchPlaces places;                 // of pictures and includes
     std::optional<Camera> camera;        // in place of the scene's; its medium is the scene's
     DataView view = DataView::none;
-    int samples = 64;              // a pixel, that a still picture comes to
-    glm::ivec2 size_px{1280, 720}; // of the picture
+    std::vector<Method> methods{Method{}}; // of a scene: each is drawn
+    int samples = 64;                      // a pixel, that a still picture comes to
+    glm::ivec2 size_px{1280, 720};         // of the picture
+};
+
+// What draws by one method, or a plain shader.
+struct DrawnBy {
+    Method method;
+    std::string texts;    // of all shaders: equal ones need no compiler
+    std::string pictures; // fingerprint of the picture files
+    bool operator==(const DrawnBy&) const = default;
 };
 
 struct LoadRequest {
@@ -40,15 +50,27 @@ struct LoadRequest {
     double time_s = 0.0;
     PlainFrame frame;                   // of a plain shader
     std::shared_ptr<const Scene> shown; // on which features latch; null at first
-    std::string shownTexts;             // as Loaded has them: pictures that are on the device stay there
-    std::string shownPictures;
+    std::vector<DrawnBy> onDevice;      // as Loaded has them: pictures that are there stay there
+};
+
+struct LoadedRaster {
+    RasterScene scene; // without pictures as below
+    RasterTexts texts;
 };
 
 struct LoadedScene {
     SceneOverTime atTime;
-    std::shared_ptr<const Scene> scene; // as loaded and latched
-    PreparedScene prepared;             // without pictures where those that are shown do
-    std::vector<AssembledPart> parts;
+    std::shared_ptr<const Scene> scene;               // as loaded and latched
+    PreparedScene prepared;                           // without pictures where those that are shown do
+    std::vector<AssembledPart> parts;                 // none where it is not traced
+    std::vector<std::optional<LoadedRaster>> rasters; // by Loaded::drawn; nothing where it is traced
+};
+
+// A program that would have to be compiled, and where its lines are from.
+struct LoadedTrial {
+    ProgramTrial program;
+    SourceText fragment;
+    SourceText vertex;
 };
 
 struct Loaded {
@@ -58,12 +80,17 @@ struct Loaded {
     std::optional<LoadedPlain> plain;
     HostNumbers sliders;                      // of a plain shader, where nobody has moved them
     PlainSettings plainSettings;              // of a plain shader
-    std::vector<ProgramTrial> trials;         // of what would have to be compiled
-    std::string texts;                        // of all shaders: equal ones need no compiler
-    std::string pictures;                     // fingerprint of the picture files
+    std::vector<LoadedTrial> trials;          // of what would have to be compiled
+    std::vector<DrawnBy> drawn;               // by Look::methods; one of a plain shader
     std::vector<std::filesystem::path> files; // that fed it, or would
     double load_ms = 0.0;
 };
+
+// Whether the texts are among those.
+bool holdsTexts(const std::vector<DrawnBy>& drawn, const std::string& texts);
+
+// Whether all that is to be drawn has texts that are compiled already.
+bool needsNoCompiler(const Loaded& next, const Loaded& shown);
 
 // A load that failed still tells the files to look after.
 struct LoadOutcome {

@@ -77,7 +77,7 @@ bool Loader::isBusy() const
 
 void Loader::run()
 {
-    KeptPictures kept, keptToMeasure;
+    KeptForMethods kept, keptToMeasure;
     std::unique_lock lock(mutex_);
     while (true) {
         asked_.wait(lock, [this] { return ending_ || request_; });

@@ -59,6 +59,7 @@ bool isOverGiven(const LiveModel& model, const std::string& path)
 Look wanted(const LiveModel& model)
 {
     Look look = model.look;
+    look.methods = drawnMethods(model.methods);
     look.overrides = model.given;
     for (const auto& [path, value] : model.changes)
         look.overrides.push_back(path + "=" + value);

@@ -5,6 +5,7 @@
 #include "live/fault.h"
 #include "live/live_clock.h"
 #include "live/loaded.h"
+#include "live/method_choice.h"
 
 #include <map>
 #include <optional>
@@ -24,7 +25,8 @@ struct ReloadFigures {
 
 struct LiveModel {
     explicit LiveModel(const LiveOptions& options)
-        : clock(options.time_s, options.paused), restartOnReload(options.restart)
+        : methods(methodChoice(options)), clock(options.time_s, options.paused),
+          restartOnReload(options.restart)
     {
     }
 
@@ -32,6 +34,7 @@ struct LiveModel {
     std::vector<std::string> given;             // --set, beneath `changes`
     std::map<std::string, std::string> changes; // of a scene: values in TOML by path
     std::optional<Display> display;             // of a scene, once changed
+    MethodChoice methods;                       // of a scene
     PlainFrame frame;                           // of a plain shader
     LiveClock clock;
     bool restartOnReload = false;

@@ -53,17 +53,31 @@ void drawLost(const std::array<double, 4>& lost)
              fmt::format("cut-off {:.2g}  pool {:.2g}  budget {:.2g}", lost[0], lost[1], lost[2]));
 }
 
+void drawMethod(const MethodFacts& facts, bool named)
+{
+    drawFact(named ? nameOf(facts.method) : "a sample",
+             milliseconds(facts.sample_ms) + (named ? " a sample" : ""));
+    if (!facts.raster)
+        return;
+    drawFact("  objects", fmt::format("{} drawn, {} culled", facts.raster->drawn, facts.raster->culled));
+    drawFact("  triangles", std::to_string(facts.raster->triangles));
+    if (facts.raster->shadowMaps > 0)
+        drawFact("  shadow maps",
+                 fmt::format("{} of {} px", facts.raster->shadowMaps, facts.raster->shadowMap_px));
+}
+
 void drawPicture(const LiveModel& model, const UiFacts& facts)
 {
     const StageFacts& stage = facts.stage.facts();
     drawFrameTimes(facts.frames_ms);
-    drawFact("a sample", milliseconds(stage.sample_ms));
+    for (const MethodFacts& each : stage.methods)
+        drawMethod(each, stage.methods.size() > 1 || isRasterised(each.method));
     if (stage.raysPerPixel && facts.stage.loaded()->scene)
         drawFact("rays a sample", fmt::format("{:.3f}", *stage.raysPerPixel));
     drawLost(model.lost);
     if (stage.nonfinite > 0)
         ImGui::TextColored(alarmText, "%zu pixels are not finite", stage.nonfinite);
-    const glm::ivec2 size_px = facts.stage.shown().size_px();
+    const glm::ivec2 size_px = facts.stage.size_px();
     drawFact("size", fmt::format("{} x {}", size_px.x, size_px.y));
     drawFact("drawn by", facts.context.renderer);
 }
@@ -95,6 +109,12 @@ void drawPlan(const Plan& plan)
                 drawFactAt(planColumn * ImGui::GetWindowContentRegionMax().x, feature.name, feature.reason);
         ImGui::TreePop();
     }
+}
+
+// Of what is on the left.
+const Plan& planShown(const LoadedScene& scene)
+{
+    return scene.rasters.front() ? scene.rasters.front()->scene.prepared.plan : scene.prepared.plan;
 }
 
 // Files that would come first if they were there are watched, but do not feed the picture.
@@ -169,7 +189,7 @@ void drawFigures(const LiveModel& model, const UiFacts& facts)
         drawReload(model.reload);
     }
     if (loaded.scene && ImGui::CollapsingHeader("Plan"))
-        drawPlan(loaded.scene->prepared.plan);
+        drawPlan(planShown(*loaded.scene));
     if (ImGui::CollapsingHeader("Sources"))
         drawSources(loaded.files);
 }

@@ -1,5 +1,6 @@
 #include "live/panel_values.h"
 
+#include "live/panel_method_rows.h"
 #include "live/panel_output_rows.h"
 #include "live/panel_scene_rows.h"
 #include "live/panel_shader_rows.h"
@@ -108,6 +109,16 @@ void drawOutput(const LiveModel& model, const LoadedScene& loaded, UiWishes& wis
     });
 }
 
+void drawMethods(const MethodChoice& choice, UiWishes& wishes)
+{
+    const auto unchanged = [](const PanelRow&) { return false; };
+    drawRows(methodRows(choice), unchanged, [&](const PanelRow& row) {
+        const RowDeed deed = drawRow(row, false);
+        if (deed.numbers && *deed.numbers != row.numbers)
+            wishes.methods = withMethod(choice, row, *deed.numbers);
+    });
+}
+
 void drawShaderValues(const LiveModel& model, const Loaded& loaded, const StageFacts& stage,
                       PanelState& state, UiWishes& wishes)
 {
@@ -134,6 +145,7 @@ void drawValues(const LiveModel& model, const Loaded& loaded, const StageFacts& 
 {
     if (loaded.plain)
         return drawShaderValues(model, loaded, stage, state, wishes);
+    drawMethods(model.methods, wishes);
     drawSceneValues(model, *loaded.scene, state, wishes);
     drawCamera(model, loaded, wishes);
     drawOutput(model, *loaded.scene, wishes);

@@ -23,16 +23,36 @@ std::optional<Error> errorOf(const TrialReply& reply, const Loaded& loaded)
         for (std::size_t i = 0; i < reply.outcomes.size(); ++i) {
             const TrialOutcome& outcome = reply.outcomes[i];
             if (!outcome.messages.empty())
-                failToBuild({outcome.messages, outcome.inVertexStage},
-                            loaded.plain ? loaded.plain->text.text : loaded.scene->parts[i].shader,
-                            loaded.plain ? SourceText{} : loaded.scene->parts[i].vertex);
-            if (loaded.trials[i].marksEndedLoops && outcome.endedLoops > 0)
+                failToBuild({outcome.messages, outcome.inVertexStage}, loaded.trials[i].fragment,
+                            loaded.trials[i].vertex);
+            if (loaded.trials[i].program.marksEndedLoops && outcome.endedLoops > 0)
                 failForEndedLoops(path, outcome.endedLoops);
         }
     } catch (const Error& error) {
         return error;
     }
     return std::nullopt;
+}
+
+// It was loaded for a device that had them, and others have come between.
+bool lacksPictures(const Loaded& loaded, const Loaded* shown)
+{
+    const auto holds = [](const std::vector<DrawnBy>& all, const DrawnBy& one) {
+        return std::ranges::find(all, one) != all.end();
+    };
+    return loaded.scene && std::ranges::any_of(loaded.drawn, [&](const DrawnBy& drawn) {
+               return holds(loaded.request.onDevice, drawn) &&
+                      (shown == nullptr || !holds(shown->drawn, drawn));
+           });
+}
+
+// The same of programs.
+bool lacksTrials(const Loaded& loaded, const Loaded* shown)
+{
+    return std::ranges::any_of(loaded.drawn, [&](const DrawnBy& drawn) {
+        return holdsTexts(loaded.request.onDevice, drawn.texts) &&
+               (shown == nullptr || !holdsTexts(shown->drawn, drawn.texts));
+    });
 }
 
 } // namespace
@@ -62,8 +82,7 @@ LoadRequest Reloader::requestOf(const Look& look, double time_s, const PlainFram
     request.time_s = time_s;
     request.frame = frame;
     if (shown != nullptr && shown->request.look.input.path == look.input.path) {
-        request.shownTexts = shown->texts;
-        request.shownPictures = shown->pictures;
+        request.onDevice = shown->drawn;
         // Features latch on what is on its way already, so that it need not be compiled again.
         const bool follows = pending_ && pending_->request.look.input.path == look.input.path;
         const Loaded& latest = follows ? *pending_ : *shown;
@@ -89,6 +108,7 @@ void Reloader::measureLost(const Look& look, double time_s, const Loaded& shown)
     request.measuresLost = true;
     request.look = look;
     request.look.view = DataView::lost;
+    request.look.methods = {Method{}};
     request.time_s = time_s;
     request.shown = shown.scene->scene;
     loader_.request(std::move(request));
@@ -97,7 +117,10 @@ void Reloader::measureLost(const Look& look, double time_s, const Loaded& shown)
 void Reloader::tryPrograms(long number, const Loaded& loaded, bool toMeasure)
 {
     measuring_ = toMeasure;
-    trier_.start(number, loaded.trials, device_.drawLimit_s);
+    std::vector<ProgramTrial> programs;
+    for (const auto& trial : loaded.trials)
+        programs.push_back(trial.program);
+    trier_.start(number, std::move(programs), device_.drawLimit_s);
 }
 
 // From either thread.
@@ -172,14 +195,11 @@ std::optional<ReloadOutcome> Reloader::heard(LoadOutcome heard, const Loaded* sh
         return outcome;
     }
     Loaded& loaded = *heard.loaded;
-    const bool lacksPictures =
-        loaded.scene && loaded.pictures == request.shownPictures && loaded.texts == request.shownTexts;
-    if (lacksPictures && (shown == nullptr || shown->pictures != loaded.pictures)) {
-        ask(request.look, request.time_s, request.frame, shown); // others have come between
+    if (lacksPictures(loaded, shown)) {
+        ask(request.look, request.time_s, request.frame, shown);
         return std::nullopt;
     }
-    if (shown != nullptr && loaded.texts == shown->texts &&
-        loaded.scene.has_value() == shown->scene.has_value()) {
+    if (shown != nullptr && needsNoCompiler(loaded, *shown)) {
         if (request.number == loader_.latest()) {
             if (!measuring_) // what is measured does no harm, and to end it takes its process
                 trier_.cancel();
@@ -188,11 +208,12 @@ std::optional<ReloadOutcome> Reloader::heard(LoadOutcome heard, const Loaded* sh
         outcome.loaded = std::move(loaded);
         return outcome;
     }
-    if (loaded.trials.empty()) { // its program was to be the one that is shown no more
+    if (lacksTrials(loaded, shown)) { // its program was to be one that is shown no more
         ask(request.look, request.time_s, request.frame, shown);
         return std::nullopt;
     }
-    const bool sameTexts = pending_ && pending_->texts == loaded.texts;
+    const bool sameTexts =
+        pending_ && std::ranges::equal(pending_->drawn, loaded.drawn, {}, &DrawnBy::texts, &DrawnBy::texts);
     if (!sameTexts || !trier_.isBusy())
         tryPrograms(request.number, loaded, false);
     pending_ = std::move(loaded);
@@ -218,7 +239,8 @@ std::optional<ReloadOutcome> Reloader::tried(const TrialReply& reply)
         !reply.outcomes.back().messages.empty()) {
         // The check of loops may fail where the shader would not.
         leaveOutLoopCheck(*pending_->plain);
-        pending_->trials = {trialOf(*pending_->plain, pending_->plainSettings)};
+        pending_->trials = {
+            {trialOf(*pending_->plain, pending_->plainSettings), pending_->plain->text.text, {}}};
         tryPrograms(reply.number, *pending_, false);
         return std::nullopt;
     }

@@ -69,6 +69,8 @@ std::vector<std::string> renderWords(const LiveModel& model, const Loaded& loade
                                    "--time", fmt::format("{}", model.clock.time_s())};
     if (loaded.scene)
         words.insert(words.end(), {"--spp", std::to_string(look.samples)});
+    if (const Method method = methodInFull(model.methods); loaded.scene && isRasterised(method))
+        words.insert(words.end(), {"--method", nameOf(method)});
     if (look.view != DataView::none)
         words.insert(words.end(), {"--view", std::string(rowOf(look.view).name)});
     for (const auto& value : valuesShown(model, loaded, read))
@@ -79,6 +81,14 @@ std::vector<std::string> renderWords(const LiveModel& model, const Loaded& loade
         if (!look.channels[i].empty())
             words.insert(words.end(), {fmt::format("--channel{}", i), look.channels[i]});
     return words;
+}
+
+std::string whatShotLacks(const MethodChoice& methods)
+{
+    const bool both = methods.comparison == Comparison::split || methods.comparison == Comparison::difference;
+    const bool edges = methods.wires && isRasterised(methodInFull(methods));
+    return std::string(both ? ", of " + nameOf(methodInFull(methods)) + " alone" : "") +
+           (edges ? ", without edges" : "");
 }
 
 ScreenshotJob::ScreenshotJob(std::vector<std::string> words, const std::filesystem::path& file) : file_(file)

@@ -25,6 +25,9 @@ std::vector<std::string> renderWords(const LiveModel& model, const Loaded& loade
                                      const std::vector<std::string>& read, const std::string& size,
                                      const std::filesystem::path& file);
 
+// What of the window such a picture cannot show, as the end of a notice: ", of trace alone".
+std::string whatShotLacks(const MethodChoice& methods);
+
 // Draws beside the window. One that is dropped before its end leaves no file.
 class ScreenshotJob
 {

@@ -202,6 +202,7 @@ void Session::apply(ReloadOutcome outcome)
     const bool first = stage_.loaded() == nullptr;
     try {
         stage_.take(std::move(*outcome.loaded));
+        stage_.compare(model_.methods);
         stage_.setDisplay(model_.display); // another file's, or one that is written by now, holds no more
     } catch (const Error& error) {
         return fail(error);
@@ -234,6 +235,7 @@ void Session::apply(ReloadOutcome outcome)
                                       {"first_draw_ms", outcome.firstDraw_ms},
                                       {"window_ms", window_ms},
                                       {"total_ms", model_.reload.total_ms}};
+    details.update(methodDetails());
     if (log_.isOn())
         details["gl_objects"] = countGlObjects();
     log_.say("shown", std::move(details));

@@ -80,6 +80,7 @@ private:
     void handleMove(const InputEvent& event);
     void handleKey(const InputEvent& event);
     void fly(double elapsed_s);
+    bool isOverDivider(const glm::dvec2& at_px) const;
     void setCamera(const Camera& camera);
 
     // session_actions.cpp
@@ -96,6 +97,13 @@ private:
     void changeBudget(int difference);
     void changeSamples(int samples);
 
+    // session_methods.cpp
+    bool actOnMethods(Action action);
+    void choose(const MethodChoice& choice);
+    void showChoice();
+    void drawDividerTo(double x_px);
+    nlohmann::ordered_json methodDetails() const;
+
     // session_output.cpp
     void screenshot();
     void hearOfScreenshot();
@@ -108,6 +116,7 @@ private:
     bool isToDraw() const;
     void follow(); // the window's size, the time, the camera
     void paint();
+    void sayDone() const;
     void grant(const UiWishes& wishes);
 
     LiveOptions options_;
@@ -138,7 +147,8 @@ private:
     bool rested_ = true;    // since the last frame: the next follows none
     bool flies_ = false;    // a key that moves the camera is held
     std::set<int> flyKeys_; // that are down and were pressed without Ctrl
-    int dragged_ = -1;      // the button that is held over the picture
+    bool dividerHeld_ = false;
+    int dragged_ = -1; // the button that is held over the picture
     glm::dvec2 pointer_px_{0.0};
 };
 

@@ -82,7 +82,7 @@ void Session::nextOrder()
     });
     const auto next =
         now == std::end(treeOrders) || now + 1 == std::end(treeOrders) ? std::begin(treeOrders) : now + 1;
-    notice(fmt::format("method: {}", next->name));
+    notice(fmt::format("order: {}", next->name));
     change(path, quoted(*next));
 }
 
@@ -93,6 +93,8 @@ void Session::nextView()
     std::vector<std::string> names{""};
     for (const auto& name : dataViewNames())
         names.push_back(name);
+    if (drawnMethods(model_.methods) != std::vector{Method{}})
+        return notice("views are of a traced picture alone");
     const std::string now =
         model_.look.view == DataView::none ? "" : std::string(rowOf(model_.look.view).name);
     const std::string next = nextOf(names, now);
@@ -230,7 +232,8 @@ void Session::act(Action action)
         window_.toggleFullscreen();
     else if (action == Action::quit)
         window_.close();
-    else if (stage_.loaded() != nullptr && !actOnTime(action) && !actOnPicture(action))
+    else if (stage_.loaded() != nullptr && !actOnTime(action) && !actOnPicture(action) &&
+             !actOnMethods(action))
         actOnFiles(action);
 }
 

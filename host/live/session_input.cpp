@@ -46,6 +46,12 @@ void Session::handleButton(const InputEvent& event)
         return;
     const bool left = event.key == GLFW_MOUSE_BUTTON_LEFT;
     pointer_px_ = event.at_px;
+    if (left && (event.down ? isOverDivider(event.at_px) : dividerHeld_)) {
+        dividerHeld_ = event.down;
+        if (!dividerHeld_)
+            showChoice();
+        return;
+    }
     if (event.down)
         dragged_ = left && event.shift ? GLFW_MOUSE_BUTTON_MIDDLE : event.key;
     else
@@ -65,6 +71,8 @@ void Session::handleMove(const InputEvent& event)
     pointer_px_ = event.at_px;
     if (stage_.loaded() == nullptr)
         return;
+    if (dividerHeld_)
+        return drawDividerTo(event.at_px.x);
     if (stage_.loaded()->plain) {
         model_.frame.pointer.move(event.at_px.x, event.at_px.y);
         moved_ = moved_ || stage_.facts().usesPointer;

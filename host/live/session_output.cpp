@@ -30,6 +30,7 @@ void Session::refuse(const Error& error)
 // command line's, with what was changed here.
 void Session::screenshot()
 {
+    const MethodChoice& methods = model_.methods;
     if (shot_)
         return notice("a screenshot is being drawn already");
     try {
@@ -39,16 +40,18 @@ void Session::screenshot()
             shot_.emplace(
                 renderWords(model_, *stage_.loaded(), stage_.facts().uniforms, options_.screenshotSize, path),
                 path);
-            return notice("drawing " + path.string());
+            return notice("drawing " + path.string() + whatShotLacks(methods));
         }
         RenderOptions settings;
         settings.input = input_.shownFile().string();
         settings.samples = stage_.samplesDone();
-        settings.width = stage_.shown().size_px().x;
-        settings.height = stage_.shown().size_px().y;
+        settings.width = stage_.size_px().x;
+        settings.height = stage_.size_px().y;
         settings.time_s = model_.clock.time_s();
+        if (stage_.loaded()->scene)
+            settings.method = nameOf(methods);
         settings.overrides = valuesShown(model_, *stage_.loaded(), stage_.facts().uniforms);
-        writePng(path, stage_.shown().read(), {}, settingsOf(settings, window_.context()));
+        writePng(path, stage_.read(), {}, settingsOf(settings, window_.context()));
         notice("wrote " + path.string());
         log_.say("screenshot", {{"file", path.string()}});
     } catch (const Error& error) {

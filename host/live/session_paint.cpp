@@ -42,7 +42,7 @@ double Session::waitTime_s()
     const bool compiles = reloader_.compilingFor_s() > 0.0;
     // The compiler works at low priority: a picture that runs leaves it some of its time.
     if (compiles && (plays || moved_) && !stage_.isBegun())
-        return std::clamp(0.001 * yieldedShare * stage_.facts().sample_ms, 0.0, 0.5);
+        return std::clamp(0.001 * yieldedShare * stage_.sample_ms(), 0.0, 0.5);
     if (draws || paints_ > 0 || moved_)
         return 0.0;
     if (plays || flies_)
@@ -69,7 +69,8 @@ void Session::follow()
     // Once the user looks on: an edit that comes meanwhile would have to wait for a new helper.
     if (model_.showPanel && wasDone_ && !lostMeasured_ && !reloader_.isBusy() && since_s(takenAt_) > lost_s) {
         lostMeasured_ = true;
-        if (stage_.loaded()->scene && stage_.loaded()->scene->prepared.plan.tree != RayTree::single &&
+        if (stage_.loaded()->scene && !stage_.loaded()->scene->parts.empty() &&
+            stage_.loaded()->scene->prepared.plan.tree != RayTree::single &&
             model_.look.view == DataView::none)
             reloader_.measureLost(wanted(model_), model_.clock.time_s(), *stage_.loaded());
     }
@@ -96,6 +97,16 @@ void Session::follow()
     }
 }
 
+void Session::sayDone() const
+{
+    if (!log_.isOn())
+        return;
+    nlohmann::ordered_json details = {{"samples", stage_.samplesDone()}};
+    details.update(methodDetails());
+    details["gl_objects"] = countGlObjects();
+    log_.say("done", std::move(details));
+}
+
 void Session::paint()
 {
     bool fresh = false; // a frame of the picture
@@ -115,17 +126,17 @@ void Session::paint()
     if (stage_.loaded() != nullptr && stage_.isDone() && !wasDone_) {
         wasDone_ = true;
         if (!stage_.facts().usesTime || model_.clock.isPaused())
-            log_.say("done",
-                     {{"samples", stage_.samplesDone()}, {"gl_objects", log_.isOn() ? countGlObjects() : 0}});
+            sayDone();
         paints_ = std::max(paints_, 1);
     }
     rested_ = rested_ || (!fresh && !isToDraw());
     if (!fresh && paints_ <= 0)
         return;
     paints_ = std::max(0, paints_ - 1);
-    stage_.shown().draw(size_px);
+    stage_.present(size_px);
     // Where it shows nothing too: only so it lets go of a pointer that was over it.
-    grant(ui_.draw(model_, {stage_, frames_ms_, reloader_.compilingFor_s(), window_.context()}));
+    grant(
+        ui_.draw(model_, {stage_, frames_ms_, reloader_.compilingFor_s(), window_.context(), dividerHeld_}));
     window_.swap();
     if (fresh) {
         if (!std::exchange(rested_, false))
@@ -158,6 +169,8 @@ void Session::grant(const UiWishes& wishes)
         stage_.setDisplay(model_.display);
         paints_ = std::max(paints_, 1);
     }
+    if (wishes.methods)
+        choose(*wishes.methods);
     if (wishes.time_s) {
         model_.clock.jumpTo(*wishes.time_s);
         moved_ = true;

@@ -12,7 +12,7 @@ namespace dioptre
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TextureShape, target, stored, numberType, width, height, layers, levels,
                                    minification, magnification, wrapS, wrapT)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ProgramTrial, fragment, vertex, blocks, uniforms, textures,
-                                   marksEndedLoops)
+                                   marksEndedLoops, corners)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LogMessage, line, column, text, collapsed)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TrialOutcome, messages, inVertexStage, compile_ms, firstDraw_ms,
                                    endedLoops, mean)

@@ -1,5 +1,6 @@
 #include "live/ui.h"
 
+#include "live/overlay_compare.h"
 #include "live/overlays.h"
 #include "live/panel.h"
 
@@ -94,6 +95,8 @@ UiWishes Ui::draw(const LiveModel& model, const UiFacts& facts)
     float left_px = 0.0F;
     if (model.showPanel)
         left_px = drawPanel(model, facts, bottom_px, panel_, wishes);
+    if (facts.stage.loaded() != nullptr && facts.stage.loaded()->scene)
+        drawComparison(model.methods, facts.dividerHeld, left_px);
     if (model.fault) {
         if (facts.stage.loaded() != nullptr)
             drawStaleMark(left_px);

@@ -20,6 +20,7 @@ struct UiWishes {
     std::map<std::string, std::vector<double>> sliders; // of a plain shader
     std::vector<std::string> dropped;                   // changes and sliders that are no more
     std::optional<std::optional<Display>> display;      // another one
+    std::optional<MethodChoice> methods;                // likewise
     std::optional<Camera> camera;                       // of a scene
     std::optional<double> time_s;                       // scrubbed to
     std::vector<Action> actions;
@@ -31,6 +32,7 @@ struct UiFacts {
     const std::deque<float>& frames_ms; // between the last frames
     double compilingFor_s = 0.0;        // 0 where nothing is
     const ContextInfo& context;
+    bool dividerHeld = false; // by the hand
 };
 
 } // namespace dioptre

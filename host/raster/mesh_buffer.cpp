@@ -16,22 +16,6 @@ void append(std::vector<float>& values, const glm::dvec3& vector)
         values.push_back(static_cast<float>(vector[i]));
 }
 
-std::vector<float> floatsOf(const Mesh& mesh, bool apart)
-{
-    std::vector<float> values;
-    values.reserve(mesh.vertices.size() * (apart ? 13 : 7));
-    for (const auto& vertex : mesh.vertices) {
-        append(values, glm::dvec3(vertex.place));
-        values.push_back(static_cast<float>(vertex.place.w));
-        append(values, vertex.normal);
-        if (apart) {
-            append(values, vertex.facetPlace);
-            append(values, vertex.facetNormal);
-        }
-    }
-    return values;
-}
-
 template <typename Number>
 Buffer uploadBuffer(GLenum target, const std::vector<Number>& values)
 {
@@ -50,6 +34,22 @@ Buffer uploadBuffer(GLenum target, const std::vector<Number>& values)
 }
 
 } // namespace
+
+std::vector<float> floatsOf(const Mesh& mesh, bool apart)
+{
+    std::vector<float> values;
+    values.reserve(mesh.vertices.size() * (apart ? 13 : 7));
+    for (const auto& vertex : mesh.vertices) {
+        append(values, glm::dvec3(vertex.place));
+        values.push_back(static_cast<float>(vertex.place.w));
+        append(values, vertex.normal);
+        if (apart) {
+            append(values, vertex.facetPlace);
+            append(values, vertex.facetNormal);
+        }
+    }
+    return values;
+}
 
 MeshBuffer uploadMesh(const Mesh& mesh, bool apart)
 {

@@ -18,6 +18,9 @@ struct MeshBuffer {
     GLsizei count = 0; // of indices
 };
 
+// Its vertices one after the other: place, normal and, where facets are told apart, theirs.
+std::vector<float> floatsOf(const Mesh& mesh, bool apart);
+
 // `apart`: with what facets are told apart by.
 MeshBuffer uploadMesh(const Mesh& mesh, bool apart);
 

@@ -24,6 +24,16 @@ constexpr std::size_t bytesOfAnObject =
 
 } // namespace
 
+std::vector<float> numbersOfObject(const PackedScene& scene, const std::vector<int>& planeOf, std::size_t id)
+{
+    const auto& object = scene.objects[id];
+    std::vector<float> values;
+    append(values, object.shape);
+    append(values, scene.materials[static_cast<std::size_t>(object.material)]);
+    append(values, packed::vec4(object.kind, id < planeOf.size() ? planeOf[id] : -1, 0.0, 0.0));
+    return values;
+}
+
 ObjectBuffer uploadObjects(const PackedScene& scene, const std::vector<int>& planeOf)
 {
     GLint alignment = 1;
@@ -33,11 +43,9 @@ ObjectBuffer uploadObjects(const PackedScene& scene, const std::vector<int>& pla
     objects.stride = (bytesOfAnObject + step - 1) / step * step;
     std::vector<float> values;
     for (std::size_t id = 0; id < scene.objects.size(); ++id) {
-        const auto& object = scene.objects[id];
-        append(values, object.shape);
-        append(values, scene.materials[static_cast<std::size_t>(object.material)]);
-        append(values, packed::vec4(object.kind, id < planeOf.size() ? planeOf[id] : -1, 0.0, 0.0));
-        values.resize((values.size() * sizeof(float) + step - 1) / step * step / sizeof(float));
+        const std::vector<float> own = numbersOfObject(scene, planeOf, id);
+        values.insert(values.end(), own.begin(), own.end());
+        values.resize((id + 1) * objects.stride / sizeof(float));
     }
     objects.buffer = uploadUniformBuffer(values);
     return objects;

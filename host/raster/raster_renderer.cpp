@@ -59,11 +59,16 @@ void refuseCrowdedStage(const Plan& plan, const Method& method)
 } // namespace
 
 RasterRenderer::RasterRenderer(const RasterScene& raster, const ViewSettings& view)
-    : Drawing(targetWidth(view), targetHeight(view), view.drawLimit_s), raster_(&raster), view_(view)
+    : RasterRenderer(raster, view, rasterTexts(raster, view.glslFolder))
+{
+}
+
+RasterRenderer::RasterRenderer(const RasterScene& raster, const ViewSettings& view, RasterTexts texts)
+    : Drawing(targetWidth(view), targetHeight(view), view.drawLimit_s), raster_(&raster), view_(view),
+      texts_(std::move(texts))
 {
     Stopwatch watch;
     refuseCrowdedStage(raster.prepared.plan, raster.method);
-    texts_ = rasterTexts(raster, view.glslFolder);
     dealSamples();
     device_ = upload(raster.prepared.packed, {&raster.prepared.plan});
     std::vector<int> kinds;
@@ -113,6 +118,14 @@ void RasterRenderer::update(const RasterScene& raster, const ViewSettings& view)
     dealSamples();
     shadows_.release(device_);
     uploadNumbers(device_, raster.prepared.packed);
+    placeObjects();
+}
+
+void RasterRenderer::updatePictures(const RasterScene& raster)
+{
+    raster_ = &raster;
+    device_ = {}; // the device need not hold both
+    device_ = upload(raster.prepared.packed, {&raster.prepared.plan});
     placeObjects();
 }
 
@@ -244,6 +257,21 @@ PixelCounts RasterRenderer::finish(Picture& picture) const
     return meansOfSums(picture, view_.samples);
 }
 
+RasterFacts RasterRenderer::rasterFacts() const
+{
+    RasterFacts facts;
+    for (std::size_t id = 0; id < seen_.size(); ++id) {
+        facts.drawn += seen_[id] ? 1 : 0;
+        facts.culled += seen_[id] ? 0 : 1;
+        facts.triangles += seen_[id] ? meshes_.at(raster_->prepared.packed.objects[id].kind).count / 3 : 0;
+    }
+    if (const ShadowMaps* maps = shadows_.maps()) {
+        facts.shadowMaps = maps->layers;
+        facts.shadowMap_px = maps->side;
+    }
+    return facts;
+}
+
 DrawingFacts RasterRenderer::facts() const
 {
     DrawingFacts facts;
@@ -255,19 +283,11 @@ DrawingFacts RasterRenderer::facts() const
     facts.textureBytes = device_.textureBytes;
     for (const auto& texture : device_.textures)
         facts.textures.push_back(texture.uniform);
-    RasterFacts raster;
-    for (std::size_t id = 0; id < seen_.size(); ++id) {
-        raster.drawn += seen_[id] ? 1 : 0;
-        raster.culled += seen_[id] ? 0 : 1;
-        raster.triangles += seen_[id] ? meshes_.at(raster_->prepared.packed.objects[id].kind).count / 3 : 0;
-    }
     if (const ShadowMaps* maps = shadows_.maps()) {
-        raster.shadowMaps = maps->layers;
-        raster.shadowMap_px = maps->side;
         facts.textures.emplace_back("u_shadow_maps");
         facts.textureBytes += bytesOf(*maps);
     }
-    facts.raster = raster;
+    facts.raster = rasterFacts();
     return facts;
 }
 

@@ -22,6 +22,9 @@ public:
     // line when a shader does not compile, and where the scene's lights are more than the method can hand on.
     RasterRenderer(const RasterScene& raster, const ViewSettings& view);
 
+    // The same of texts that were assembled before.
+    RasterRenderer(const RasterScene& raster, const ViewSettings& view, RasterTexts texts);
+
     // Goes on with the same scene at another time, as moveTo() left it: nothing is compiled, no picture is
     // uploaded, shadow maps are drawn anew. `raster` must outlive the renderer.
     void update(const RasterScene& raster);
@@ -29,15 +32,19 @@ public:
     // The same in a picture of another size.
     void update(const RasterScene& raster, const ViewSettings& view);
 
+    // The same with other pictures, which are uploaded anew.
+    void updatePictures(const RasterScene& raster);
+
     // From the sums of the samples in rgb: means, and alpha 1.
     PixelCounts finish(Picture& picture) const override;
 
     DrawingFacts facts() const override;
+    RasterFacts rasterFacts() const;
 
     // Of all its programs.
     std::vector<RasterText> texts() const
     {
-        return {texts_.surface, texts_.sky, texts_.caster, texts_.wire, texts_.add};
+        return textsOfAll(texts_);
     }
 
     // Facets' edges over the picture; off at first. Throws badInput where their shader does not compile.

@@ -220,6 +220,24 @@ std::vector<std::string> fedToSky(const Plan& plan)
 
 } // namespace
 
+std::vector<RasterText> textsOfAll(const RasterTexts& texts)
+{
+    std::vector<RasterText> all;
+    for (const RasterText* text : {&texts.surface, &texts.sky, &texts.caster, &texts.wire, &texts.add})
+        if (!text->fragment.empty())
+            all.push_back(*text);
+    return all;
+}
+
+std::vector<std::string> rasterSources()
+{
+    std::vector<std::string> sources;
+    for (const char* file : {"surface.vert", "surface.frag", "sky.frag", "caster.vert", "caster.frag",
+                             "wire.vert", "wire.frag", "add.frag"})
+        sources.push_back(std::string("raster/") + file);
+    return sources;
+}
+
 RasterTexts rasterTexts(const RasterScene& raster, const std::filesystem::path& glslFolder)
 {
     const Assembler assemble(raster, glslFolder);

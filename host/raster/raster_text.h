@@ -25,6 +25,12 @@ struct RasterTexts {
     RasterText add;     // of samples to their sums
 };
 
+// Those that are not empty.
+std::vector<RasterText> textsOfAll(const RasterTexts& texts);
+
+// What they are assembled from, whatever the scene, as an #include names it.
+std::vector<std::string> rasterSources();
+
 // Throws badInput or inputMissing for faults in glsl/.
 RasterTexts rasterTexts(const RasterScene& raster, const std::filesystem::path& glslFolder);
 

@@ -22,6 +22,16 @@ void append(std::vector<float>& values, const std::vector<Struct>& structs)
 
 } // namespace
 
+std::vector<float> numbersOf(const ShadowViews& shadows)
+{
+    std::vector<float> values;
+    append(values, shadows.views);
+    append(values, shadows.planes);
+    if (shadows.planes.empty())
+        values.insert(values.end(), 4, 0.0F); // the block's array has one at least
+    return values;
+}
+
 ShadowPass::ShadowPass(const RasterScene& raster, const RasterText& text)
     : maps_(makeShadowMaps(raster.prepared.scene.raster.shadowMap_px,
                            static_cast<int>(raster.shadows.views.size()))),
@@ -35,11 +45,7 @@ void ShadowPass::update(const RasterScene& raster, DeviceScene& device)
     drawn_ = false;
     if (!maps_)
         return;
-    std::vector<float> values;
-    append(values, raster.shadows.views);
-    append(values, raster.shadows.planes);
-    if (raster.shadows.planes.empty())
-        values.insert(values.end(), 4, 0.0F); // the block's array has one at least
+    const std::vector<float> values = numbersOf(raster.shadows);
     release(device);
     device.blocks.push_back({blockName, uploadUniformBuffer(values), values.size() * sizeof(float)});
 }

@@ -12,6 +12,9 @@
 namespace dioptre
 {
 
+// The views and the planes that shade, as the device holds them.
+std::vector<float> numbersOf(const ShadowViews& shadows);
+
 class ShadowPass
 {
 public:

@@ -90,6 +90,14 @@ std::vector<fs::path> filesOfScene(const fs::path& scene, const std::string& tex
     return std::move(walk).files();
 }
 
+std::vector<fs::path> filesOfSources(const std::vector<std::string>& names, const SearchPlaces& places)
+{
+    IncludeWalk walk({{places.glslFolder}, {}, "scene"});
+    for (const auto& name : names)
+        walk.addInclude(name);
+    return std::move(walk).files();
+}
+
 std::vector<fs::path> filesOfShader(const fs::path& shader, const SearchPlaces& places)
 {
     IncludeWalk walk(includeSearch(shader, places));

@@ -19,6 +19,10 @@ namespace dioptre
 std::vector<std::filesystem::path> filesOfScene(const std::filesystem::path& scene, const std::string& text,
                                                 const SearchPlaces& places);
 
+// Files of the program's own and what they can reach; `names`: as an #include has them.
+std::vector<std::filesystem::path> filesOfSources(const std::vector<std::string>& names,
+                                                  const SearchPlaces& places);
+
 // The shader's file and what it can reach; its channels' pictures are the caller's.
 std::vector<std::filesystem::path> filesOfShader(const std::filesystem::path& shader,
                                                  const SearchPlaces& places);

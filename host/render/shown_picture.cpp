@@ -52,22 +52,42 @@ void ShownPicture::makeRoom(const glm::ivec2& size_px)
 
 void ShownPicture::take(const AccumulationTarget& sums, int samples, const std::optional<Display>& display)
 {
+    encode(sums, nullptr, 1.0 / samples, display);
+}
+
+void ShownPicture::takeDifference(const AccumulationTarget& one, const AccumulationTarget& other, int samples,
+                                  double scale, const std::optional<Display>& display)
+{
+    encode(one, &other, scale / samples, display);
+}
+
+// `scale`: of sums to radiance. `other`: of which the difference is shown; null for none.
+void ShownPicture::encode(const AccumulationTarget& sums, const AccumulationTarget* other, double scale,
+                          const std::optional<Display>& display)
+{
     makeRoom({sums.width, sums.height});
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     glViewport(0, 0, sums.width, sums.height);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
     glUseProgram(program_.name.name());
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D, (other != nullptr ? *other : sums).colour.name());
     glActiveTexture(GL_TEXTURE0);
     const TextureBinding binding(GL_TEXTURE_2D, sums.colour.name());
     const double exposure = display ? display->exposure : 0.0;
     const auto locate = [this](const char* uniform) { return program_.uniforms.at(uniform); };
     glUniform1i(locate("u_sums"), 0);
-    glUniform1f(locate("u_scale"), static_cast<float>(std::exp2(exposure) / samples));
+    glUniform1i(locate("u_other_sums"), 1);
+    glUniform1i(locate("u_is_difference"), other != nullptr ? 1 : 0);
+    glUniform1f(locate("u_scale"), static_cast<float>(std::exp2(exposure) * scale));
     glUniform1i(locate("u_curve"), display ? static_cast<int>(display->curve) : 0);
     glUniform1f(locate("u_gamma"), gammaOf(display));
     glBindVertexArray(vertexArray_.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glActiveTexture(GL_TEXTURE0);
 }
 
 void ShownPicture::take(const Picture& picture)
@@ -92,10 +112,16 @@ void ShownPicture::draw(const glm::ivec2& window_px) const
         const std::array<GLfloat, 4> black{0.0F, 0.0F, 0.0F, 1.0F};
         glClearBufferfv(GL_COLOR, 0, black.data());
     }
-    if (size_px_.x > 0) {
+    drawFrom(0, window_px);
+}
+
+void ShownPicture::drawFrom(int column, const glm::ivec2& window_px) const
+{
+    const int width = std::min(size_px_.x, window_px.x), height = std::min(size_px_.y, window_px.y);
+    if (column < width) {
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
         glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
-        const int width = std::min(size_px_.x, window_px.x), height = std::min(size_px_.y, window_px.y);
-        glBlitFramebuffer(0, size_px_.y - height, width, size_px_.y, 0, window_px.y - height, width,
+        glBlitFramebuffer(column, size_px_.y - height, width, size_px_.y, column, window_px.y - height, width,
                           window_px.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -24,12 +24,20 @@ public:
     // those of a picture that is not encoded.
     void take(const AccumulationTarget& sums, int samples, const std::optional<Display>& display);
 
+    // Of two pictures by as many samples: how far they are from each other in each colour, times `scale`,
+    // shown as radiance is.
+    void takeDifference(const AccumulationTarget& one, const AccumulationTarget& other, int samples,
+                        double scale, const std::optional<Display>& display);
+
     // From numbers of 0 to 1, not encoded.
     void take(const Picture& picture);
 
     // Draws it into the window of that size, pixel for pixel from the upper left; what it does not cover is
     // black.
     void draw(const glm::ivec2& window_px) const;
+
+    // The same of the columns from that one on alone; those before it stay as they are.
+    void drawFrom(int column, const glm::ivec2& window_px) const;
 
     // 0 before the first.
     const glm::ivec2& size_px() const
@@ -42,6 +50,8 @@ public:
 
 private:
     void makeRoom(const glm::ivec2& size_px);
+    void encode(const AccumulationTarget& sums, const AccumulationTarget* other, double scale,
+                const std::optional<Display>& display);
 
     Program program_;
     VertexArray vertexArray_;

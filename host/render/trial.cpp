@@ -10,6 +10,7 @@
 #include "render/still.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace dioptre
 {
@@ -66,6 +67,51 @@ std::vector<Texture> bindTextures(const Program& program, const ProgramTrial& tr
             glUniform1i(found->second, unit);
         }
     return textures;
+}
+
+// The corners on the device, where a trial has some.
+struct TrialCorners {
+    VertexArray vertexArray;
+    Buffer buffer;
+    GLsizei count = 0;
+};
+
+TrialCorners uploadCorners(const std::vector<float>& numbers)
+{
+    TrialCorners corners;
+    if (numbers.empty())
+        return corners;
+    GLuint name = 0;
+    glGenVertexArrays(1, &name);
+    corners.vertexArray = VertexArray(name);
+    glBindVertexArray(name);
+    glGenBuffers(1, &name);
+    corners.buffer = Buffer(name);
+    glBindBuffer(GL_ARRAY_BUFFER, name);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(numbers.size() * sizeof(float)), numbers.data(),
+                 GL_STATIC_DRAW);
+    const int each = std::accumulate(cornerSizes.begin(), cornerSizes.end(), 0);
+    std::size_t offset = 0;
+    for (GLuint location = 0; location < cornerSizes.size(); ++location) {
+        glEnableVertexAttribArray(location);
+        glVertexAttribPointer(location, cornerSizes[location], GL_FLOAT, GL_FALSE,
+                              each * static_cast<GLsizei>(sizeof(float)),
+                              reinterpret_cast<const void*>(offset)); // NOLINT: OpenGL takes offsets so
+        offset += static_cast<std::size_t>(cornerSizes[location]) * sizeof(float);
+    }
+    corners.count = static_cast<GLsizei>(numbers.size()) / each;
+    return corners;
+}
+
+// Into so many pixels from the lower left.
+void drawTrial(const TrialCorners& corners, const AccumulationTarget& target, int width, int height)
+{
+    if (corners.count == 0)
+        return drawAdding(target, 0, 0, width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+    glViewport(0, 0, target.width, target.height);
+    glBindVertexArray(corners.vertexArray.name());
+    glDrawArrays(GL_TRIANGLES, 0, corners.count);
 }
 
 void setSampleCount(const Program& program, int count)
@@ -127,14 +173,15 @@ TrialOutcome tryProgram(const ProgramTrial& trial, double drawLimit_s)
     feed(program, trial);
     const auto buffers = bindBlocks(program, trial);
     const auto textures = bindTextures(program, trial);
+    const TrialCorners corners = uploadCorners(trial.corners);
     setSampleCount(program, 0);
     watch.lap_ms();
-    drawAdding(target, 0, 0, 1, 1);
+    drawTrial(corners, target, 1, 1);
     waitForDevice(compileLimit_s);
     outcome.firstDraw_ms = watch.lap_ms();
     clear(target);
     setSampleCount(program, 1);
-    drawAdding(target, 0, 0, target.width, target.height);
+    drawTrial(corners, target, target.width, target.height);
     waitForDevice(drawLimit_s);
     lookAt(readBack(target), outcome);
     return outcome;

@@ -14,6 +14,9 @@
 namespace dioptre
 {
 
+// Of the inputs of a vertex stage that is fed corners, by location: numbers each.
+inline constexpr std::array cornerSizes{4, 3, 3, 3};
+
 struct ProgramTrial {
     std::string fragment;
     std::string vertex; // "" for the plain full-screen triangle
@@ -21,6 +24,7 @@ struct ProgramTrial {
     HostNumbers uniforms; // as many numbers as a uniform's type wants, or fewer: then the rest is 0
     std::vector<std::pair<std::string, TextureShape>> textures; // by sampler
     bool marksEndedLoops = false;                               // as PlainText::checksLoops
+    std::vector<float> corners{}; // of triangles, cornerSizes' numbers each; empty: the full-screen triangle
 };
 
 // What came of it.
