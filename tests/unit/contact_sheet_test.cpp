@@ -92,7 +92,7 @@ TEST(ContactSheet, ColumnsBeyondTheWidestSheet_GoOnBelow)
 {
     std::vector<SheetColumn> columns;
     for (unsigned i = 0; i < 4; ++i)
-        columns.push_back({"a", {"b"}, noise(2400, 6, i), noise(2400, 6, 10 + i)});
+        columns.push_back({"a", {"b"}, noise(1200, 6, i), noise(1200, 6, 10 + i)});
     const Picture sheet = contactSheet("heading", columns); // three would have place
     EXPECT_LE(sheet.width, widestSheet);
     std::vector<PixelRectangle> places;
@@ -103,7 +103,7 @@ TEST(ContactSheet, ColumnsBeyondTheWidestSheet_GoOnBelow)
             places.push_back(*place);
         }
     EXPECT_EQ(places[2].y, places[0].y); // the second beside the first
-    EXPECT_GE(places[2].x, places[0].x + 2400);
+    EXPECT_GE(places[2].x, places[0].x + 1200);
     EXPECT_EQ(places[4].x, places[0].x); // the third below the first and its difference
     EXPECT_LT(places[4].y + 6, places[1].y);
     EXPECT_EQ(places[6].x, places[2].x);
@@ -112,7 +112,7 @@ TEST(ContactSheet, ColumnsBeyondTheWidestSheet_GoOnBelow)
 
 TEST(ContactSheet, ColumnWiderThanTheWidestSheet_StandsAlone)
 {
-    const Picture a = noise(8100, 2, 1), b = noise(8100, 2, 2);
+    const Picture a = noise(4100, 2, 1), b = noise(4100, 2, 2);
     const Picture sheet = contactSheet("", {{"a", {}, a}, {"b", {}, b}});
     ASSERT_TRUE(placeOf(a, sheet) && placeOf(b, sheet));
     EXPECT_EQ(placeOf(a, sheet)->x, placeOf(b, sheet)->x);
