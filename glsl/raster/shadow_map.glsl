@@ -57,7 +57,8 @@ float seesLight(int layer, vec3 position, vec3 normal, vec3 towards)
     vec3 offset = position - view.eye.xyz;
     vec3 place = onShadowMap(view, offset);
     float side_px = float(textureSize(u_shadow_maps, 0).x);
-    float texel_m = 2.0 * (view.eye.w > 0.5 ? place.z : 1.0) / (length(view.right.xyz) * side_px);
+    float across = 2.0 / min(length(view.right.xyz), length(view.up.xyz)); // a map may be wider than high
+    float texel_m = across * (view.eye.w > 0.5 ? place.z : 1.0) / side_px;
     float cosine = clamp(abs(dot(normal, towards)), 0.01, 1.0);
     float lean = sqrt(1.0 - cosine * cosine) / cosine;
 #ifdef HAS_SHADOW_FILTER

@@ -171,6 +171,16 @@ TEST(ShadowMap, RoundShapesThrowShadows_AndTakeThem)
     }
 }
 
+// A map that is wide one way and narrow the other: its texels are long, and so is what each stands for.
+TEST(ShadowMap, TexelsMayBeLong)
+{
+    const std::string scene =
+        head + "[[light]]\nkind = \"directional\"\ndirection = [-0.6, -0.8, 0.02]\n" +
+        "[[rectangle]]\ncorner = [-1.5, 0, 1]\nedge_u = [0, 0, -2.5]\nedge_v = [0, 2, 0]\n" +
+        "[[rectangle]]\ncorner = [-40, -2, 0.5]\nedge_u = [0, 0, -0.4]\nedge_v = [60, 0, 0]\n";
+    EXPECT_LT(wrong(by("phong:64", scene, {"raster.shadow_map=512"}), by("trace", scene)), 100U);
+}
+
 // The middle of a filtered edge is neither lit nor dark.
 TEST(ShadowMap, TheFilterSoftensEdges)
 {
