@@ -4,7 +4,7 @@ layout(std140) uniform ObjectBlock
 {
     Shape u_shape;
     Material u_material;
-    vec4 u_kind; // x; y: its place among the planes that shade, -1 for none
+    vec4 u_kind; // x: KIND_...; y: its place among the planes that shade, -1 for none
 };
 
 Shape drawnShape()

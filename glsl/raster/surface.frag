@@ -89,7 +89,7 @@ void main()
 #endif
 #endif
 #ifdef HAS_MIRROR_RAY
-    radiance *= (1.0 - material.mirror.w) * (1.0 - transmitted(material));
+    radiance *= (1.0 - material.mirror.w) * (1.0 - transmitOf(material));
     radiance += surroundings(ray.direction, surface.normal, kind, shape, material);
 #endif
 #ifdef HAS_EMISSION

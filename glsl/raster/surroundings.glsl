@@ -1,14 +1,6 @@
 // Mirrors and glass as rasterisers fake them: what they show is looked up in the sky, whatever stands between.
 
-// The share of light that goes through a surface instead of coming back from within it.
-float transmitted(Material material)
-{
-#ifdef HAS_REFRACTION
-    return material.shadow_absorption.w;
-#else
-    return 0.0;
-#endif
-}
+#include "trace/transmit.glsl"
 
 #ifdef HAS_REFRACTION
 // What is seen of the sky through a surface, by the direction that light is bent into where it comes in.
@@ -53,7 +45,7 @@ vec3 surroundings(vec3 direction, vec3 normal, int kind, Shape shape, Material m
 #ifdef HAS_REFRACTION
     float m = u_side > 0.0 ? material.bending.z : material.bending.w;
     float reflectance = fresnelReflectance(c, m);
-    float passing = (1.0 - material.mirror.w) * transmitted(material);
+    float passing = (1.0 - material.mirror.w) * transmitOf(material);
     reflection += passing * reflectance;
     if (passing * (1.0 - reflectance) > 0.0)
         through = passing * (1.0 - reflectance) * seenThrough(direction, normal, c, kind, shape, material);

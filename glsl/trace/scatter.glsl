@@ -2,6 +2,8 @@
 //   out = emission + (1 - mirror)(1 - transmit) local + mirror colour reflected
 //       + (1 - mirror) transmit (R reflected + T refracted)
 
+#include "trace/transmit.glsl"
+
 struct Scatter {
     vec3 radiance; // weighted: adds straight to the pixel
 #ifdef HAS_MIRROR_RAY
@@ -33,16 +35,6 @@ Path continued(Path path, Nearest hit, vec3 position, vec3 direction, vec3 weigh
 #endif
 #endif
     return next;
-}
-
-// The share of light that goes through a surface instead of coming back from within it.
-float transmitOf(Material material)
-{
-#ifdef HAS_REFRACTION
-    return material.shadow_absorption.w;
-#else
-    return 0.0;
-#endif
 }
 #endif
 

@@ -46,11 +46,6 @@ std::size_t partingAt(const std::string& text)
     return likely;
 }
 
-} // namespace
-
-namespace
-{
-
 // Takes "method=NAME" out of the overrides; the last one counts.
 std::string takeMethod(std::vector<std::string>& overrides, const std::string& method)
 {

@@ -6,10 +6,10 @@
 #include "command/compare_methods.h"
 #include "command/compare_result.h"
 #include "command/difference_picture.h"
+#include "command/display_option.h"
 #include "command/progress.h"
 #include "metric/psnr.h"
 #include "metric/ssim.h"
-#include "scene/choices.h"
 
 #include <fmt/format.h>
 
@@ -17,17 +17,6 @@ namespace dioptre
 {
 namespace
 {
-
-// Of the pictures that hold radiance; the others are shown as they are.
-Display displayOf(const CompareOptions& options)
-{
-    Display display;
-    display.exposure = options.exposure.value_or(0.0);
-    for (const auto& curve : toneCurves)
-        if (options.curve == curve.name)
-            display.curve = curve.choice;
-    return display;
-}
 
 std::vector<float> flipErrors(const CompareOptions& options, const ComparedPictures& compared,
                               const PicturePair& shown, const std::optional<ExposureRange>& exposures)
@@ -55,7 +44,8 @@ CompareResult measured(const CompareOptions& options, const ComparedPictures& co
     result.nonfiniteReference = pair.nonfiniteReference;
     result.nonfinitePicture = pair.nonfinitePicture;
     result.linear = linearError(pair);
-    result.display = displayOf(options);
+    // Of the pictures that hold radiance; the others are shown as they are.
+    result.display = displayAsked({}, options.exposure, options.curve);
     const PicturePair shown = displayed(pair, compared.displayedReference ? Display{} : result.display,
                                         compared.displayedPicture ? Display{} : result.display);
     const PicturePair sent = encoded(shown);

@@ -4,13 +4,13 @@
 #include "base/interruption.h"
 #include "base/lettering.h"
 #include "base/picture_stack.h"
+#include "command/display_option.h"
 #include "command/input.h"
 #include "command/method_drawing.h"
 #include "command/progress.h"
 #include "metric/ssim.h"
 #include "render/interleave.h"
 #include "render/still.h"
-#include "scene/choices.h"
 #include "scene/load.h"
 
 #include <fmt/format.h>
@@ -70,18 +70,6 @@ void refuseBadMethods(const CompareOptions& options, std::size_t methods)
              "name one with -o FILE.png");
     if (!options.output.empty() && storedKindNamed(options.output) != StoredKind::png)
         fail(ExitCode::usage, "-o " + options.output + " is no .png", "name the picture FILE.png");
-}
-
-// What both are shown by.
-Display displayOf(const CompareOptions& options, const Scene& scene)
-{
-    Display display = scene.output;
-    if (options.exposure)
-        display.exposure = *options.exposure;
-    for (const auto& curve : toneCurves)
-        if (options.curve == curve.name)
-            display.curve = curve.choice;
-    return display;
 }
 
 // The largest difference of a channel, of every pixel; 0 where it is not finite, which is told apart.
@@ -175,7 +163,7 @@ MethodsResult measured(const CompareOptions& options, const std::vector<Method>&
         Lettering(11); // a font that is missing is told before long work
     MethodsResult result;
     result.scene = scene.title.empty() ? input.name : scene.title;
-    result.display = displayOf(options, scene);
+    result.display = displayAsked(scene.output, options.exposure, options.curve);
     drawAll(options, scene, methods, result);
     for (auto& row : result.rows)
         judge(row, result.rows.front().picture, result.display);

@@ -1,4 +1,5 @@
 #include "command/still_writer.h"
+#include "command/display_option.h"
 
 #include "base/picture_stack.h"
 #include "base/text.h"
@@ -206,11 +207,7 @@ void refuseBadOutput(const RenderOptions& options, bool plainShader)
 
 Display displayOf(const RenderOptions& options, const Display& scene)
 {
-    Display display = scene;
-    display.exposure = options.exposure.value_or(scene.exposure);
-    for (const auto& curve : toneCurves)
-        if (options.curve == curve.name)
-            display.curve = curve.choice;
+    Display display = displayAsked(scene, options.exposure, options.curve);
     if (!options.gamma.empty())
         display.gamma = gammaNamed(options.gamma);
     return display;

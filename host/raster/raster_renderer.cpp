@@ -268,6 +268,7 @@ RasterFacts RasterRenderer::rasterFacts() const
     if (const ShadowMaps* maps = shadows_.maps()) {
         facts.shadowMaps = maps->layers;
         facts.shadowMap_px = maps->side;
+        facts.shadowMapDraws = shadows_.draws();
     }
     return facts;
 }

@@ -20,6 +20,21 @@ void append(std::vector<float>& values, const std::vector<Struct>& structs)
                    std::back_inserter(values), [](double number) { return static_cast<float>(number); });
 }
 
+// What stands in the lights' way, and where.
+std::vector<float> castersOf(const RasterScene& raster)
+{
+    std::vector<packed::Shape> shapes;
+    std::vector<float> values;
+    for (const auto& views : raster.shadows.lights)
+        for (std::size_t id = 0; id < views.casts.size(); ++id)
+            if (views.casts[id]) {
+                values.push_back(static_cast<float>(id));
+                shapes.push_back(raster.prepared.packed.objects[id].shape);
+            }
+    append(values, shapes);
+    return values;
+}
+
 } // namespace
 
 std::vector<float> numbersOf(const ShadowViews& shadows)
@@ -42,10 +57,14 @@ ShadowPass::ShadowPass(const RasterScene& raster, const RasterText& text)
 
 void ShadowPass::update(const RasterScene& raster, DeviceScene& device)
 {
-    drawn_ = false;
     if (!maps_)
         return;
     const std::vector<float> values = numbersOf(raster.shadows);
+    std::vector<float> seen = castersOf(raster);
+    seen.insert(seen.end(), values.begin(), values.end());
+    if (seen != seen_) // an eye that moves moves no shadow
+        drawn_ = false;
+    seen_ = std::move(seen);
     release(device);
     device.blocks.push_back({blockName, uploadUniformBuffer(values), values.size() * sizeof(float)});
 }
@@ -74,6 +93,7 @@ void ShadowPass::draw(const RasterScene& raster, const DeviceScene& device, cons
     }
     glDisable(GL_DEPTH_TEST);
     drawn_ = true;
+    ++draws_;
 }
 
 void ShadowPass::drawLayer(int layer, const std::vector<bool>& casting, const RasterScene& raster,

@@ -23,7 +23,8 @@ public:
     // Throws badInput where the maps are too many or too large, and where `text` does not compile.
     ShadowPass(const RasterScene& raster, const RasterText& text);
 
-    // Takes the views of the scene, which has moved, to `device`: its maps are drawn anew.
+    // Takes the views of the scene, which may have moved, to `device`. Its maps are drawn anew where the
+    // lights see something else.
     void update(const RasterScene& raster, DeviceScene& device);
 
     // Takes away what update() added to `device`.
@@ -42,13 +43,21 @@ public:
         return maps_ ? &*maps_ : nullptr;
     }
 
+    // How often they were drawn.
+    long draws() const
+    {
+        return draws_;
+    }
+
 private:
     void drawLayer(int layer, const std::vector<bool>& casting, const RasterScene& raster,
                    const ObjectBuffer& objects, const MeshBuffers& meshes) const;
 
     std::optional<ShadowMaps> maps_;
     Program caster_;
+    std::vector<float> seen_; // by the lights, when the maps were drawn
     bool drawn_ = false;
+    long draws_ = 0;
 };
 
 } // namespace dioptre

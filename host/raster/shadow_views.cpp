@@ -98,7 +98,8 @@ packed::ShadowView parallelView(const packed::Light& light, const std::vector<co
     const auto half = [&](const glm::dvec3& axis) {
         const Extent extent = extentOfAll(held, axis);
         middle += 0.5 * (extent.low + extent.high) * axis;
-        // Some more, so that no object ends on the map's edge.
+        // Some more, so that no object ends on the map's edge; not 0 where all lies in a plane along the
+        // light.
         return std::max(0.51 * (extent.high - extent.low), std::numeric_limits<float>::min() * 1e6);
     };
     view.right = vec4(axes.right / half(axes.right), 0.0);
@@ -124,8 +125,10 @@ packed::ShadowView perspectiveView(const packed::Light& light, const Axes& axes,
 // a face of the cube lies 1.73 times as far as its middle.
 double nearestOf(const glm::dvec3& eye, const std::vector<const PackedObject*>& held)
 {
+    if (held.empty())
+        return 1.0;
     double nearest = std::numeric_limits<double>::infinity();
-    double farthest = 1.0;
+    double farthest = 0.0;
     for (const auto* object : held) {
         double outside = 0.0; // of a box about the object
         double reach = 0.0;
@@ -137,9 +140,9 @@ double nearestOf(const glm::dvec3& eye, const std::vector<const PackedObject*>& 
             reach = std::max({reach, at - extent.low, extent.high - at});
         }
         nearest = std::min(nearest, outside);
-        farthest = object == held.front() ? reach : std::max(farthest, reach);
+        farthest = std::max(farthest, reach);
     }
-    return std::max(0.5 * std::min(nearest, farthest), 1e-5 * farthest); // a light may touch an object
+    return std::max(0.5 * nearest, 1e-5 * farthest); // a light may touch an object
 }
 
 double coneOf(const packed::Light& light)

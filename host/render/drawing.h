@@ -45,6 +45,7 @@ struct RasterFacts {
     long triangles = 0; // of the objects that are drawn
     int shadowMaps = 0; // a light that shines all around has six
     int shadowMap_px = 0;
+    long shadowMapDraws = 0; // so far; they stay while nothing moves but the eye
 };
 
 // What draws, for reports.

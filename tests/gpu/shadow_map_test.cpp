@@ -217,6 +217,24 @@ TEST(ShadowMap, IsDrawnAnewWhenThingsMove)
     EXPECT_GT(wrong(pictures[0].picture, pictures[1].picture), 50U) << "or nothing moves";
 }
 
+// An eye that moves moves no shadow: its frames do not pay for maps.
+TEST(ShadowMap, StaysWhileTheEyeAloneMoves)
+{
+    const auto path = std::filesystem::temp_directory_path() / "dioptre-moving-eye.toml";
+    std::ofstream(path) << head + lights()[1].second + things +
+                               "[[animate]]\npath = \"camera.eye\"\ntimes = [0, 1]\n"
+                               "values = [[0, 3, 5], [2, 3, 5]]\n";
+    const Request request{40, 30, 1, {}, "auto", 0.0, DataView::none, "phong:16"};
+    const auto pictures = rasteriseMoments(path, request, {0.0, 0.5, 1.0});
+    EXPECT_EQ(pictures.back().raster->shadowMapDraws, 1);
+    EXPECT_NE(pictures.back().picture.floats, pictures.front().picture.floats);
+    const auto orrery = glslFolder() / "scenes" / "orrery.toml";
+    Request moving = request;
+    moving.overrides = ownPictures(orrery);
+    EXPECT_EQ(rasteriseMoments(orrery, moving, {0.0, 0.5, 1.0}).back().raster->shadowMapDraws, 3);
+    std::filesystem::remove(path);
+}
+
 TEST(ShadowMap, BackendsAgree)
 {
     const std::string scene = head + lights()[1].second + things + balls;

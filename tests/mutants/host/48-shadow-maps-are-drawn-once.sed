@@ -2,4 +2,4 @@
 # tests: gpu/shadow_map_test.cpp
 # test: ShadowMap.IsDrawnAnewWhenThingsMove
 # Defect 48: the shadow map of the first picture stays.
-s/^    drawn_ = false;$/    drawn_ = drawn_ || false;/
+s/^        drawn_ = false;$/        drawn_ = drawn_ || false;/
