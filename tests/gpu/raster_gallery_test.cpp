@@ -1,5 +1,5 @@
 // Every scene of the gallery by every rasterised method: it is drawn, all of it finite, by shaders that
-// another compiler takes, too; and the parts that rasterising does not fake are the tracer's.
+// another compiler takes, too; and what rasterising does not fake is near the tracer's.
 #include "raster/raster_text.h"
 #include "scene/load.h"
 #include "support/compare.h"
@@ -42,6 +42,21 @@ TEST_P(Rasterised, Scene_IsDrawn)
     traced.method = "trace";
     const auto difference = compareEncoded(drawn.picture, test::renderScene(scene, traced).picture, 64.0);
     EXPECT_LT(static_cast<double>(difference.over), 0.85 * static_cast<double>(difference.pixels));
+}
+
+// RMSE of Phong's pictures where hardly anything mirrors or is clear: twice what was measured.
+TEST(RasterisedGallery, WhatIsNotFaked_IsNearTheTracers)
+{
+    const std::map<std::string, double> bounds = {
+        {"shadings", 0.02},  {"shadow_maps", 0.01}, {"spots", 0.006},       {"lights", 0.02},
+        {"textures", 0.035}, {"highlights", 0.004}, {"light_types", 0.075}, {"cylinders", 0.066}};
+    for (const auto& [name, bound] : bounds) {
+        const auto scene = glslFolder() / "scenes" / (name + ".toml");
+        Request request{160, 90, 1, ownPictures(scene), "auto", 0.0, DataView::none, "phong:32"};
+        const auto drawn = test::renderScene(scene, request).picture;
+        request.method = "trace";
+        EXPECT_LT(compare(drawn, test::renderScene(scene, request).picture, 0.1).rmse, bound) << name;
+    }
 }
 
 TEST_P(Rasterised, Shaders_AreTakenByAnotherCompiler)
